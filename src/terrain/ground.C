@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ground.H"
+#include "foamFile.H"
+#include "inputCheck.H"
+#include "OSspecific.H"
+
+#include <limits>
+
+namespace Foam
+{
+namespace lpf
+{
+
+defineTypeNameAndDebug(groundPart, 0);
+defineRunTimeSelectionTable(groundPart, dictionary);
+
+
+autoPtr<groundPart>
+groundPart::New(const dictionary& dict, const fileName& directory)
+{
+    const word type = dict.get<word>("type");
+    const auto constructor = dictionaryConstructorTablePtr_->cfind(type);
+    if (!constructor.found())
+    {
+        FatalIOErrorInLookup(
+            dict, "groundPart", type, *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return autoPtr<groundPart>(constructor()(dict, directory));
+}
+
+
+ground::ground(
+    PtrList<groundPart>&& parts,
+    const wordList& zones,
+    const point& origin,
+    const string& crs
+)
+    : parts_(std::move(parts)), zones_(zones), origin_(origin), crs_(crs)
+{
+}
+
+
+autoPtr<ground> ground::read(const fileName& caseDir)
+{
+    const fileName directory = caseDir / "constant" / "terrain";
+    const fileName file = directory / "terrainProperties";
+    if (!isFile(file))
+    {
+        FatalErrorInFunction
+            << "There is no " << file << ", the ground of the case." << nl
+            << "Run terrainToParticles first." << exit(FatalError);
+    }
+    const dictionary dict = readDictionary(file);
+    const dictionary& parts = dict.subDict("parts");
+    PtrList<groundPart> list(parts.size());
+    label i = 0;
+    for (const entry& part : parts)
+    {
+        list.set(i++, groundPart::New(part.dict(), directory));
+    }
+    return autoPtr<ground>::New(
+        std::move(list),
+        dict.get<wordList>("zones"),
+        dict.get<point>("origin"),
+        dict.get<string>("crs")
+    );
+}
+
+
+void ground::write(const fileName& caseDir) const
+{
+    const fileName directory = caseDir / "constant" / "terrain";
+    mkDir(directory);
+    dictionary parts;
+    forAll(parts_, i)
+    {
+        const word name = "part" + Foam::name(i);
+        parts.add(name, parts_[i].write(directory, name));
+    }
+    outputFile file(directory / "terrainProperties", IOstreamOption());
+    OFstream& os = file.stream();
+    // enough digits to read the same double back
+    os.precision(std::numeric_limits<scalar>::max_digits10);
+    writeFoamHeader(os, "dictionary", "constant/terrain/terrainProperties");
+    os << "// input coordinates = local coordinates + origin [m]" << nl;
+    os.writeEntry("origin", origin_);
+    os.writeEntry("crs", crs_);
+    os.writeEntry("zones", zones_);
+    os << nl << "parts" << parts;
+    file.close();
+}
+
+
+boundBox ground::bounds() const
+{
+    boundBox all = boundBox(boundBox::invertedBox);
+    forAll(parts_, i)
+    {
+        if (parts_[i].nTriangles())
+        {
+            const boundBox part = parts_[i].bounds();
+            all.min() = min(all.min(), part.min());
+            all.max() = max(all.max(), part.max());
+        }
+    }
+    return all;
+}
+
+
+label ground::nTriangles() const
+{
+    label n = 0;
+    forAll(parts_, i)
+    {
+        n += parts_[i].nTriangles();
+    }
+    return n;
+}
+
+
+groundHit
+ground::signedDistance(const point& x, const scalar searchRadius) const
+{
+    groundHit hit;
+    forAll(parts_, i)
+    {
+        parts_[i].nearest(x, searchRadius, hit);
+    }
+    if (hit.border && hit.distance < 0)
+    {
+        hit.found = false;
+    }
+    return hit;
+}
+
+
+surfaceElements ground::elements(const scalar spacing) const
+{
+    surfaceElements all;
+    forAll(parts_, i)
+    {
+        parts_[i].elements(spacing, all);
+    }
+    return all;
+}
+
+
+groundMesh ground::triangles(const label most) const
+{
+    groundMesh mesh;
+    forAll(parts_, i)
+    {
+        parts_[i].surface(max(most - mesh.faces.size(), 2), mesh);
+    }
+    return mesh;
+}
+
+
+void ground::triangles(pointField& points, faceList& faces, labelList& zone)
+    const
+{
+    groundMesh mesh = triangles(labelMax);
+    points.transfer(mesh.points);
+    faces.transfer(mesh.faces);
+    zone.transfer(mesh.zone);
+}
+
+
+groundHit ground::elevation(const scalar x, const scalar y) const
+{
+    groundHit hit;
+    forAll(parts_, i)
+    {
+        parts_[i].elevation(x, y, hit);
+    }
+    return hit;
+}
+
+
+void ground::removeZone(const word& zone)
+{
+    const label i = zones_.find(zone);
+    forAll(parts_, k)
+    {
+        parts_[k].removeZone(i);
+    }
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triangleGeometry.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// Distances that differ by less count as equal. Rounding errors of a distance
+// are some 1e-16 of the coordinates, far below it; a real difference of 1e-9
+// of the distance decides nothing but the sign within 1e-9 of a bisector
+constexpr scalar equallyNear = 1e-9;
+
+triangleHit atPoint(
+    const point& nearest,
+    const point& x,
+    const scalar height,
+    const triangleHit::regionType region
+)
+{
+    return {nearest, mag(x - nearest), height, region};
+}
+
+} // namespace
+
+
+vector unitNormal(const corners& t)
+{
+    const vector n = areaVector(t);
+    const scalar length = mag(n);
+    return length > 0 ? n / length : vector(Zero);
+}
+
+
+// Regions of Voronoi by signs of dot products: Ericson, Real-Time Collision
+// Detection (2005), 5.1.5
+triangleHit
+nearestOnTriangle(const corners& t, const vector& n, const point& x)
+{
+    const vector ab = t[1] - t[0], ac = t[2] - t[0];
+    const vector ax = x - t[0], bx = x - t[1], cx = x - t[2];
+    const scalar height = n & ax;
+
+    const scalar d1 = ab & ax, d2 = ac & ax;
+    if (d1 <= 0 && d2 <= 0)
+    {
+        return atPoint(t[0], x, height, triangleHit::corner0);
+    }
+    const scalar d3 = ab & bx, d4 = ac & bx;
+    if (d3 >= 0 && d4 <= d3)
+    {
+        return atPoint(t[1], x, height, triangleHit::corner1);
+    }
+    const scalar vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+    {
+        const point p = t[0] + (d1 / (d1 - d3)) * ab;
+        return atPoint(p, x, height, triangleHit::edge0);
+    }
+    const scalar d5 = ab & cx, d6 = ac & cx;
+    if (d6 >= 0 && d5 <= d6)
+    {
+        return atPoint(t[2], x, height, triangleHit::corner2);
+    }
+    const scalar vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+    {
+        const point p = t[0] + (d2 / (d2 - d6)) * ac;
+        return atPoint(p, x, height, triangleHit::edge2);
+    }
+    const scalar va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    {
+        const scalar s = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return atPoint(t[1] + s * (t[2] - t[1]), x, height, triangleHit::edge1);
+    }
+    // the plane itself, not the corners' sum, so that a plane is exact
+    return {x - height * n, mag(height), height, triangleHit::face};
+}
+
+
+bool verticalMeets(const corners& t, scalar x, scalar y, scalar& z)
+{
+    const vector n = areaVector(t);
+    if (!(n.z() > 0))
+    {
+        return false;
+    }
+    // edge functions; a rounding error may exclude a point of the edge from
+    // both neighbours, so that a little is given
+    const scalar little = 1e-12 * n.z();
+    for (label i = 0; i < 3; ++i)
+    {
+        const point &p = t[i], &q = t[(i + 1) % 3];
+        const scalar side =
+            (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x());
+        if (side < -little)
+        {
+            return false;
+        }
+    }
+    z = t[0].z()
+        - (n.x() * (x - t[0].x()) + n.y() * (y - t[0].y())) / n.z();
+    return true;
+}
+
+
+scalar distanceSqr(const boundBox& box, const point& x)
+{
+    scalar sum = 0;
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar d =
+            max(max(box.min()[k] - x[k], x[k] - box.max()[k]), scalar(0));
+        sum += d * d;
+    }
+    return sum;
+}
+
+
+rank compare(
+    const triangleHit& candidate,
+    const scalar roundOff,
+    const groundHit& hit
+)
+{
+    const scalar now = mag(hit.distance);
+    const scalar difference = candidate.distance - now;
+    if (!hit.found)
+    {
+        return difference <= 0 ? rank::nearer : rank::further;
+    }
+    const scalar tolerance = equallyNear * now + roundOff;
+    if (mag(difference) <= tolerance)
+    {
+        return rank::tie;
+    }
+    return difference < 0 ? rank::nearer : rank::further;
+}
+
+
+void take(
+    const rank which,
+    const triangleHit& candidate,
+    const vector& normal,
+    const label zone,
+    const bool open,
+    groundHit& hit
+)
+{
+    if (which == rank::further)
+    {
+        return;
+    }
+    hit.border = open && (which == rank::nearer || hit.border);
+    if (which == rank::tie && mag(candidate.height) <= mag(hit.height))
+    {
+        return;
+    }
+    hit.found = true;
+    hit.nearest = candidate.nearest;
+    hit.height = candidate.height;
+    hit.distance =
+        candidate.height < 0 ? -candidate.distance : candidate.distance;
+    hit.normal = normal;
+    hit.zone = zone;
+}
+
+
+namespace
+{
+
+// Halve across the longest edge until no edge is longer than spacing. nA is
+// halved with it, so that the sum over the elements is nA to the last bit
+void bisect(
+    const corners& t,
+    const vector& nA,
+    const label zone,
+    const scalar spacingSqr,
+    surfaceElements& elements
+)
+{
+    FixedList<scalar, 3> edge;
+    for (label i = 0; i < 3; ++i)
+    {
+        edge[i] = magSqr(t[(i + 1) % 3] - t[i]);
+    }
+    const scalar longest = max(edge[0], max(edge[1], edge[2]));
+    // spacing may be an edge divided by a number: a rounding error must not
+    // double the elements
+    if (longest <= spacingSqr * (1 + 1e-9))
+    {
+        elements.x.append((t[0] + t[1] + t[2]) / 3);
+        elements.nA.append(nA);
+        elements.zone.append(zone);
+        return;
+    }
+    label i = 0;
+    while (edge[i] < longest * (1 - 1e-9))
+    {
+        ++i;
+    }
+    const point &a = t[i], &b = t[(i + 1) % 3], &c = t[(i + 2) % 3];
+    const point m = 0.5 * (a + b);
+    bisect(corners{a, m, c}, 0.5 * nA, zone, spacingSqr, elements);
+    bisect(corners{m, b, c}, 0.5 * nA, zone, spacingSqr, elements);
+}
+
+} // namespace
+
+
+void appendElements(
+    const corners& t,
+    const label zone,
+    const scalar spacing,
+    surfaceElements& elements
+)
+{
+    bisect(t, 0.5 * areaVector(t), zone, sqr(spacing), elements);
+}
+
+} // namespace lpf
+} // namespace Foam
