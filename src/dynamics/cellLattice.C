@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cellLattice.H"
+
+#include "orderedSum.H"
+
+#include "error.H"
+
+#include <cmath>
+
+namespace Foam
+{
+namespace lpf
+{
+
+cellLattice::cellLattice(scalar h, const cyclicBox& cyclic)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        period_[d] = cyclic.period[d];
+        lower_[d] = period_[d] > 0 ? cyclic.lower[d] : 0;
+        edge_[d] = 2 * h;
+        if (period_[d] > 0)
+        {
+            edge_[d] = period_[d] / std::floor(period_[d] / (2 * h));
+        }
+    }
+}
+
+inline long cellLattice::cellOf(double x, int d) const
+{
+    return static_cast<long>(std::floor((x - lower_[d]) / edge_[d]));
+}
+
+void cellLattice::boundingBox(
+    const realArrays<3>& x, int n, ::lpf::cellGrid& grid
+) const
+{
+    for (int d = 0; d < 3; ++d)
+    {
+        const double* begin = x[static_cast<std::size_t>(d)].data();
+        const auto ends = std::minmax_element(begin, begin + n);
+        grid.edge[d] = edge_[d];
+        grid.lower[d] = lower_[d];
+        grid.period[d] = period_[d];
+        grid.first[d] = n > 0 ? cellOf(*ends.first, d) : 0;
+        const long last = n > 0 ? cellOf(*ends.second, d) : 0;
+        grid.n[d] = static_cast<int>(last - grid.first[d] + 1);
+        if (period_[d] > 0)
+        {
+            grid.first[d] = 0;
+            grid.n[d] = static_cast<int>(std::lround(period_[d] / edge_[d]));
+        }
+    }
+}
+
+void cellLattice::sort(
+    const realArrays<3>& x, int n, indexArray& order, sortedCells& cells
+) const
+{
+    ::lpf::cellGrid& grid = cells.grid;
+    boundingBox(x, n, grid);
+
+    const double count
+        = 1.0 * grid.n[0] * grid.n[1] * grid.n[2];
+    if (!(count < 2e9))
+    {
+        FatalErrorInFunction
+            << "The particles span " << grid.n[0] << " x " << grid.n[1]
+            << " x " << grid.n[2] << " cells of " << grid.edge[0]
+            << " m: some of them have left far behind the others. Give the "
+            << "ground a smaller extent or the particles a larger spacing"
+            << exit(FatalError);
+    }
+    const auto nCells = static_cast<std::size_t>(count);
+
+    indexArray cell;
+    cell.resize(n);
+    ::lpf::forChunks(
+        n,
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                long k[3];
+                for (int d = 0; d < 3; ++d)
+                {
+                    const double xd = x[static_cast<std::size_t>(d)][i];
+                    k[d] = cellOf(xd, d) - grid.first[d];
+                    // rounding at the upper plane of a cyclic pair
+                    k[d] = std::min<long>(std::max(k[d], 0L), grid.n[d] - 1);
+                }
+                cell[i] = static_cast<std::int32_t>(
+                    (k[2] * grid.n[1] + k[1]) * grid.n[0] + k[0]
+                );
+            }
+        }
+    );
+
+    cells.start.assign(nCells + 1, 0);
+    cells.moved = false;
+    for (int i = 0; i < n; ++i)
+    {
+        ++cells.start[static_cast<std::size_t>(cell[i]) + 1];
+        cells.moved = cells.moved || (i > 0 && cell[i] < cell[i - 1]);
+    }
+    for (std::size_t c = 0; c < nCells; ++c)
+    {
+        cells.start[c + 1] += cells.start[c];
+    }
+    if (cells.moved)
+    {
+        // fill uses start as a cursor and shifts it back afterwards
+        for (int i = 0; i < n; ++i)
+        {
+            order[cells.start[static_cast<std::size_t>(cell[i])]++] = i;
+        }
+        for (std::size_t c = nCells; c > 0; --c)
+        {
+            cells.start[c] = cells.start[c - 1];
+        }
+        cells.start[0] = 0;
+    }
+    grid.start = cells.start.data();
+}
+
+void cellLattice::wrap(realArrays<3>& x, int n) const
+{
+    for (int d = 0; d < 3; ++d)
+    {
+        if (!(period_[d] > 0))
+        {
+            continue;
+        }
+        realArray& xd = x[static_cast<std::size_t>(d)];
+        for (int i = 0; i < n; ++i)
+        {
+            if (xd[i] < lower_[d])
+            {
+                xd[i] += period_[d];
+            }
+            else if (xd[i] >= lower_[d] + period_[d])
+            {
+                xd[i] -= period_[d];
+            }
+        }
+    }
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,732 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grainDynamics.H"
+
+#include "momentInverse.H"
+#include "pairTerms.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+using Vec3 = ::lpf::Vec<double>;
+using Tens = ::lpf::Tensor<double>;
+using Symm = ::lpf::SymmTensor<double>;
+using ::lpf::orderedSum;
+
+//- A grain may come this near to the ground, as a share of the spacing
+constexpr scalar contactShare = 0.1;
+
+Vec3 vecAt(const realArrays<3>& a, int i)
+{
+    return {a[0][i], a[1][i], a[2][i]};
+}
+
+Tens tensorAt(const realArrays<9>& a, int i)
+{
+    return {
+        {a[0][i], a[1][i], a[2][i]},
+        {a[3][i], a[4][i], a[5][i]},
+        {a[6][i], a[7][i], a[8][i]}};
+}
+
+Symm symmAt(const realArrays<6>& a, int i)
+{
+    return {a[0][i], a[1][i], a[2][i], a[3][i], a[4][i], a[5][i]};
+}
+
+void setTensor(realArrays<9>& a, int i, const Tens& t)
+{
+    const double v[9] = {
+        t.x.x, t.x.y, t.x.z, t.y.x, t.y.y, t.y.z, t.z.x, t.z.y, t.z.z};
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+        a[c][i] = v[c];
+    }
+}
+
+void setSymm(realArrays<6>& a, int i, const Symm& t)
+{
+    const double v[6] = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+        a[c][i] = v[c];
+    }
+}
+
+::lpf::SymmTensor3<double> thirdMoment(const ::lpf::wallRecord& r)
+{
+    const double* a = r.N3;
+    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
+}
+
+vector toVector(const Vec3& a)
+{
+    return vector(a.x, a.y, a.z);
+}
+
+//- planarity (I - n n)
+Tens tangential(double planarity, const Vec3& n)
+{
+    const Symm nn = dyad(-planarity, n);
+    return {
+        {planarity + nn.xx, nn.xy, nn.xz},
+        {nn.xy, planarity + nn.yy, nn.yz},
+        {nn.xz, nn.yz, planarity + nn.zz}};
+}
+
+} // namespace
+
+grainDynamics::grainDynamics(
+    const ::lpf::pairEngine& engine,
+    const sceneProperties& scene,
+    const schemeProperties& scheme,
+    const granularRheology& rheology,
+    groundContact& contact
+)
+:
+    engine_(engine),
+    scene_(scene),
+    scheme_(scheme),
+    rheology_(rheology),
+    contact_(contact),
+    lattice_(scene.h, scene.cyclic)
+{}
+
+void grainDynamics::densityFromPressure()
+{
+    for (int i = 0; i < grains.size(); ++i)
+    {
+        const double p
+            = -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i])
+            / 3;
+        grains.rho[i]
+            = grains.rhoRef[i] * (1 + p / rheology_.elastic().K()); // (T 3.4)
+    }
+}
+
+void grainDynamics::sort()
+{
+    const int n = grains.size();
+    order_.resize(n);
+    lattice_.sort(grains.x, n, order_, cells_);
+    if (cells_.moved)
+    {
+        grains.permute(order_);
+    }
+}
+
+void grainDynamics::volumes()
+{
+    const int n = grains.size();
+    for (int i = 0; i < n; ++i)
+    {
+        grains.V[i]
+            = grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
+    }
+    grains.V.pad(n, 0);
+    grains.rho.pad(n, 1);
+}
+
+::lpf::kinematicsPass grainDynamics::kinematicsPass() const
+{
+    ::lpf::kinematicsPass p = {};
+    p.cells = cells_.grid;
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.x = grains.x[0].data();
+    p.y = grains.x[1].data();
+    p.z = grains.x[2].data();
+    p.u = grains.U[0].data();
+    p.v = grains.U[1].data();
+    p.w = grains.U[2].data();
+    p.V = grains.V.data();
+    return p;
+}
+
+::lpf::wallPass grainDynamics::wallPass()
+{
+    const int n = grains.size();
+    slot_.resize(n);
+
+    ::lpf::wallPass p = {};
+    p.cells = cells_.grid;
+    contact_.present(p);
+    nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
+    walls_.resize(static_cast<std::size_t>(nSlots_));
+    near_.resize(static_cast<std::size_t>(nSlots_));
+
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.behind = contactShare * scene_.spacing;
+    p.outOfSight = scene_.spacing;
+    p.x = grains.x[0].data();
+    p.y = grains.x[1].data();
+    p.z = grains.x[2].data();
+    p.slot = slot_.data();
+    p.sums = walls_.data();
+    return p;
+}
+
+::lpf::forcePass grainDynamics::forcePass()
+{
+    const ::lpf::kinematicsPass k = kinematicsPass();
+    ::lpf::forcePass p = {};
+    p.cells = k.cells;
+    p.h = k.h;
+    p.dimensions = k.dimensions;
+    p.thickness = scene_.planeThickness;
+    p.x = k.x;
+    p.y = k.y;
+    p.z = k.z;
+    p.V = k.V;
+    p.m = grains.mass.data();
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+        p.A[c] = grains.L[c].data();
+    }
+    p.ax = grains.a[0].data();
+    p.ay = grains.a[1].data();
+    p.az = grains.a[2].data();
+
+    p.alpha = scheme_.artificialViscosity;
+    if (p.alpha > 0)
+    {
+        viscousPower_.resize(grains.size());
+        p.soundSpeed = rheology_.elastic().c();
+        p.u = k.u;
+        p.v = k.v;
+        p.w = k.w;
+        p.rho = grains.rho.data();
+        p.viscousPower = viscousPower_.data();
+    }
+    return p;
+}
+
+// Near the ground the velocity field is continued behind each surface element
+// q by its mirror image, v - 2 (v.n_q) n_q at x - 2 d_q n_q, which makes the
+// gradient exact for linear fields that vanish along n on the ground:
+//     L = (R + 2 sum_q A W (v.n) n n) B,  B^-1 = M + 2 sum_q A W d n n  (T 4.3)
+// Along a plane the tangential rows are taken from the grains alone,
+//     L_t = (I - n n) R B_p,  B_p^-1 = M,                              (T 4.4)
+// for the mirror would halve the shear of a layer that slides.
+void grainDynamics::gradient()
+{
+    ::lpf::forChunks(
+        grains.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                const Tens R = tensorAt(grains.L, i);
+                Symm M = symmAt(grains.B, i);
+                if (scene_.dimensions == 2)
+                {
+                    const vector& e = scene_.planeNormal;
+                    M += dyad(1.0, Vec3{e.x(), e.y(), e.z()});
+                }
+                if (slot_[i] < 0)
+                {
+                    const Symm B = momentInverse(M);
+                    setSymm(grains.B, i, B);
+                    setTensor(grains.L, i, R & full(B));
+                    continue;
+                }
+
+                const auto slot = static_cast<std::size_t>(slot_[i]);
+                const ::lpf::wallRecord& wall = walls_[slot];
+                nearWall& near = near_[slot];
+                const auto N3 = thirdMoment(wall);
+                const double* D = wall.D2;
+                const Symm B = momentInverse(
+                    M
+                    + Symm{2 * D[0], 2 * D[1], 2 * D[2], 2 * D[3], 2 * D[4],
+                           2 * D[5]}
+                );
+                const Symm Nv = N3 & vecAt(grains.U, i);
+                const Tens mirrored
+                    = (R + full(Nv + Nv)) & full(B); // (T 4.3)
+
+                const Vec3 nA = contracted(N3);
+                const double magnitude = std::sqrt(magSqr(nA));
+                near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
+                near.planarity = wall.area > 0
+                    ? std::max(0.0, 10 * magnitude / wall.area - 9)
+                    : 0;
+                near.friction
+                    = wall.area > 0 ? wall.friction / wall.area : 0;
+                near.Bp = momentInverse(M);
+
+                const Tens P = tangential(near.planarity, near.n);
+                setSymm(grains.B, i, B);
+                setTensor(
+                    grains.L, i,
+                    mirrored
+                        + (P & ((R & full(near.Bp)) - mirrored)) // (T 4.4)
+                );
+            }
+        }
+    );
+}
+
+// The adjoint of gradient():
+//     A = (I - P) sigma B + P sigma B_p                              (T 3.12)
+//     f_ground = - 2 V sum_q A W (n.(I - P) sigma B.n) n             (T 4.5)
+void grainDynamics::stressMoment()
+{
+    ::lpf::forChunks(
+        grains.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                const Tens sigma = full(symmAt(grains.sigma, i));
+                const Tens sigmaB = sigma & full(symmAt(grains.B, i));
+                if (slot_[i] < 0)
+                {
+                    setTensor(grains.L, i, sigmaB);
+                    continue;
+                }
+                const auto slot = static_cast<std::size_t>(slot_[i]);
+                nearWall& near = near_[slot];
+                const Tens P = tangential(near.planarity, near.n);
+                const Tens mirrored = sigmaB - (P & sigmaB);
+
+                near.f = (-2 * grains.V[i] * scene_.planeThickness)
+                    * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
+                near.carried = (near.f & near.n) > 0;
+                setTensor(
+                    grains.L, i,
+                    mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
+                );
+            }
+        }
+    );
+    for (auto& component : grains.L)
+    {
+        component.pad(grains.size(), 0);
+    }
+}
+
+void grainDynamics::addGroundAndGravity()
+{
+    ::lpf::forChunks(
+        grains.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                vector a = at(grains.a, i) + scene_.g;
+                if (slot_[i] >= 0)
+                {
+                    const nearWall& near
+                        = near_[static_cast<std::size_t>(slot_[i])];
+                    if (near.carried)
+                    {
+                        a += toVector(near.f) / grains.mass[i];
+                    }
+                }
+                set(grains.a, i, a);
+            }
+        }
+    );
+}
+
+void grainDynamics::rates(scalar dt, scalar time)
+{
+    contact_.update(time, lattice_);
+    sort();
+    volumes();
+
+    ::lpf::kinematicsPass k = kinematicsPass();
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+        k.R[c] = grains.L[c].data();
+    }
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+        k.M[c] = grains.B[c].data();
+    }
+    engine_.kinematics(k);
+    engine_.wall(wallPass());
+    gradient();
+
+    grainArrays arrays = {};
+    arrays.n = grains.size();
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+        arrays.L[c] = grains.L[c].data();
+    }
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+        arrays.sigma[c] = grains.sigma[c].data();
+    }
+    arrays.rho = grains.rho.data();
+    arrays.rhoRef = grains.rhoRef.data();
+    arrays.mass = grains.mass.data();
+    arrays.inertialNumber = grains.I.data();
+    rates_ = rheology_.correct(arrays, dt);
+    ledger.plastic += rates_.plastic;
+    ledger.separation += rates_.separation;
+
+    stressMoment();
+    engine_.force(forcePass());
+    addGroundAndGravity();
+}
+
+namespace
+{
+
+//- What one kick adds to the ledger
+struct kickSums
+{
+    vector gravity = Zero, wall = Zero, friction = Zero;
+    scalar wallNormal = 0, frictionEnergy = 0, tension = 0, viscous = 0;
+
+    void operator+=(const kickSums& b)
+    {
+        gravity += b.gravity;
+        wall += b.wall;
+        friction += b.friction;
+        wallNormal += b.wallNormal;
+        frictionEnergy += b.frictionEnergy;
+        tension += b.tension;
+        viscous += b.viscous;
+    }
+};
+
+//- Coulomb friction by an impulse of at most mu N dt against the sliding, it
+//  stops a grain but never turns it                                  (T 4.6)
+vector afterFriction(const vector& U, const vector& n, scalar mostChange)
+{
+    const vector slip = U - (U & n) * n;
+    const scalar speed = mag(slip);
+    return speed > 0 ? vector(U - slip * (min(mostChange, speed) / speed)) : U;
+}
+
+} // namespace
+
+void grainDynamics::kick(scalar dt)
+{
+    const bool viscous = scheme_.artificialViscosity > 0;
+
+    const kickSums sums = orderedSum<kickSums>(
+        grains.size(),
+        [&](int i)
+        {
+            kickSums s;
+            const scalar m = grains.mass[i];
+            const vector before = at(grains.U, i);
+            vector U = before + at(grains.a, i) * dt;
+            s.gravity = m * dt * scene_.g;
+            s.viscous = viscous ? viscousPower_[i] * dt : 0;
+
+            if (slot_[i] >= 0)
+            {
+                const nearWall& near
+                    = near_[static_cast<std::size_t>(slot_[i])];
+                const vector f = toVector(near.f);
+                const scalar N = mag(f);
+                if (near.carried)
+                {
+                    const vector sliding = U;
+                    U = afterFriction(
+                        sliding, f / N, near.friction * N * dt / m
+                    );
+                    s.wall = f * dt;
+                    s.wallNormal = N * dt;
+                    s.friction = m * (U - sliding);
+                    s.frictionEnergy
+                        = 0.5 * m * (magSqr(sliding) - magSqr(U));
+                }
+                else
+                {
+                    s.tension = 0.5 * dt * (f & (before + U));
+                }
+            }
+            set(grains.U, i, U);
+            return s;
+        }
+    );
+
+    ledger.gravityImpulse += sums.gravity;
+    ledger.wallImpulse += sums.wall;
+    ledger.wallNormalImpulse += sums.wallNormal;
+    ledger.frictionImpulse += sums.friction;
+    ledger.friction += sums.frictionEnergy;
+    ledger.wallTension += sums.tension;
+    ledger.viscous += sums.viscous;
+}
+
+namespace
+{
+
+//- What contact and cyclic planes add to the ledger in one drift
+struct driftSums
+{
+    vector impulse = Zero, friction = Zero;
+    scalar normal = 0, energy = 0, frictionEnergy = 0, wrapped = 0;
+
+    void operator+=(const driftSums& b)
+    {
+        impulse += b.impulse;
+        friction += b.friction;
+        normal += b.normal;
+        energy += b.energy;
+        frictionEnergy += b.frictionEnergy;
+        wrapped += b.wrapped;
+    }
+};
+
+//- Shift that brings x back into the cyclic box
+vector wrapShift(const vector& x, const cyclicBox& box)
+{
+    vector shift(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (box.period[d] > 0)
+        {
+            if (x[d] < box.lower[d])
+            {
+                shift[d] = box.period[d];
+            }
+            else if (x[d] >= box.lower[d] + box.period[d])
+            {
+                shift[d] = -box.period[d];
+            }
+        }
+    }
+    return shift;
+}
+
+} // namespace
+
+// A grain that would come nearer to the ground than a tenth of the spacing is
+// set back and loses its approach, with friction on that impulse  (T 4.7)
+void grainDynamics::drift(scalar dt, scalar time)
+{
+    const scalar closest = contactShare * scene_.spacing;
+    const vector g = scene_.g;
+
+    const driftSums sums = orderedSum<driftSums>(
+        grains.size(),
+        [&](int i)
+        {
+            driftSums s;
+            const scalar m = grains.mass[i];
+            vector U = at(grains.U, i);
+            const vector step = U * dt;
+            vector x = at(grains.x, i) + step;
+
+            bool look = false;
+            if (slot_[i] >= 0)
+            {
+                const ::lpf::wallRecord& wall
+                    = walls_[static_cast<std::size_t>(slot_[i])];
+                const vector n(
+                    wall.normal[0], wall.normal[1], wall.normal[2]
+                );
+                look = wall.distance + (n & step) < closest;
+            }
+            for (int tries = 0; look && tries < 4; ++tries)
+            {
+                const groundHit hit
+                    = contact_.signedDistance(x, scene_.spacing, time);
+                look = hit.found && hit.distance < closest;
+                if (!look)
+                {
+                    break;
+                }
+                const vector before = U, from = x;
+                const scalar approach = max(scalar(0), -(U & hit.normal));
+                x += (closest - hit.distance) * hit.normal;
+                const vector stopped = U + approach * hit.normal;
+                U = afterFriction(
+                    stopped, hit.normal,
+                    contact_.effectiveFriction(hit.zone) * approach
+                );
+                s.impulse += m * approach * hit.normal;
+                s.normal += m * approach;
+                s.friction += m * (U - stopped);
+                s.energy += 0.5 * m * (magSqr(before) - magSqr(stopped))
+                    + m * (g & (x - from));
+                s.frictionEnergy
+                    += 0.5 * m * (magSqr(stopped) - magSqr(U));
+            }
+
+            const vector shift = wrapShift(x, scene_.cyclic);
+            s.wrapped = -m * (g & shift);
+            set(grains.x, i, x + shift);
+            set(grains.U, i, U);
+            return s;
+        }
+    );
+
+    ledger.projectionImpulse += sums.impulse;
+    ledger.projectionNormalImpulse += sums.normal;
+    ledger.projection += sums.energy;
+    ledger.frictionImpulse += sums.friction;
+    ledger.friction += sums.frictionEnergy;
+    ledger.wrapped += sums.wrapped;
+
+    removeLeavers(time + dt);
+}
+
+namespace
+{
+
+grainPoint pointAt(const grainStore& grains, int i)
+{
+    return {
+        tensorAt(grains.L, i), symmAt(grains.sigma, i), grains.rho[i],
+        grains.rhoRef[i], grains.mass[i], grains.I[i]};
+}
+
+} // namespace
+
+void grainDynamics::removeLeavers(scalar time)
+{
+    const int n = grains.size();
+    int kept = 0;
+    indexArray order;
+
+    for (int i = 0; i < n; ++i)
+    {
+        const point x = at(grains.x, i);
+        if (scene_.domain.contains(x))
+        {
+            if (kept < i)
+            {
+                order[kept] = i;
+            }
+            ++kept;
+            continue;
+        }
+        if (kept == i)
+        {
+            order.resize(n);
+            for (int k = 0; k < i; ++k)
+            {
+                order[k] = k;
+            }
+        }
+        const scalar m = grains.mass[i];
+        const vector U = at(grains.U, i);
+        ledger.leavers.push_back({time, grains.id[i], x, U, m});
+        ledger.leftMass.add(m);
+        ledger.leftMomentum += m * U;
+        ledger.left += 0.5 * m * magSqr(U) - m * (scene_.g & x)
+            + rheology_.storedEnergy(pointAt(grains, i));
+    }
+    if (kept < n)
+    {
+        for (int k = kept; k < n; ++k)
+        {
+            order[k] = kept > 0 ? order[kept - 1] : 0;
+        }
+        grains.permute(order);
+        grains.truncate(kept);
+    }
+}
+
+timeStepLimit grainDynamics::stableDeltaT() const
+{
+    const scalar speed = maxSpeed();
+    const scalar acceleration = sqrt(::lpf::largest(
+        grains.size(), [&](int i) { return magSqr(at(grains.a, i)); }
+    ));
+
+    timeStepLimit limit
+        = {scheme_.CFL * scene_.h / (rheology_.elastic().c() + speed),
+           "elastic"};
+    const auto take = [&](scalar deltaT, const char* rule)
+    {
+        if (deltaT < limit.deltaT)
+        {
+            limit = {deltaT, rule};
+        }
+    };
+    if (acceleration > 0)
+    {
+        take(0.25 * sqrt(scene_.h / acceleration), "force");
+    }
+    if (rates_.maxStrainRate > 0)
+    {
+        take(0.2 / rates_.maxStrainRate, "strain");
+    }
+    return limit;
+}
+
+energyState grainDynamics::energy() const
+{
+    return orderedSum<energyState>(
+        grains.size(),
+        [&](int i)
+        {
+            const scalar m = grains.mass[i];
+            const vector U = at(grains.U, i);
+            energyState e;
+            e.kinetic = 0.5 * m * magSqr(U);
+            e.potential = -m * (scene_.g & at(grains.x, i));
+            e.elastic = rheology_.storedEnergy(pointAt(grains, i));
+            e.momentum = m * U;
+            return e;
+        }
+    );
+}
+
+vector grainDynamics::wallForceSum() const
+{
+    vector total = Zero;
+    for (const nearWall& near : near_)
+    {
+        if (near.carried)
+        {
+            total += toVector(near.f);
+        }
+    }
+    return total;
+}
+
+scalar grainDynamics::maxSpeed() const
+{
+    return sqrt(::lpf::largest(
+        grains.size(), [&](int i) { return magSqr(at(grains.U, i)); }
+    ));
+}
+
+scalar grainDynamics::movingMassShare(scalar threshold) const
+{
+    struct shares
+    {
+        scalar moving = 0, all = 0;
+        void operator+=(const shares& b)
+        {
+            moving += b.moving;
+            all += b.all;
+        }
+    };
+    const shares s = orderedSum<shares>(
+        grains.size(),
+        [&](int i)
+        {
+            const bool moves = magSqr(at(grains.U, i)) > sqr(threshold);
+            return shares{moves ? grains.mass[i] : 0, grains.mass[i]};
+        }
+    );
+    return s.all > 0 ? s.moving / s.all : 0;
+}
+
+std::size_t grainDynamics::bytes() const
+{
+    return grains.bytes() + order_.bytes() + slot_.bytes()
+        + walls_.capacity() * sizeof(::lpf::wallRecord)
+        + near_.capacity() * sizeof(nearWall)
+        + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes();
+}
+
+} // namespace lpf
+} // namespace Foam

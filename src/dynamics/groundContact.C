@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "groundContact.H"
+
+#include "inputCheck.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+groundZone readZone(const dictionary& dict)
+{
+    allowOnly(dict, {"friction", "mu", "ru", "opensAt"});
+    groundZone zone;
+
+    bounds time;
+    time.lower = 0;
+    time.reason = "a zone opens at a time of the run";
+    zone.opensAt = readNumber(dict, "opensAt", dimTime, time, GREAT);
+
+    if (readChoice(dict, "friction", {"Coulomb", "none"}) == "none")
+    {
+        return zone;
+    }
+
+    bounds mu;
+    mu.lower = 0;
+    mu.upper = 10;
+    mu.reason = "a friction coefficient is the tangent of an angle; write "
+                "0 to 1.5";
+    zone.mu = readNumber(dict, "mu", dimless, mu);
+
+    bounds ru;
+    ru.lower = 0;
+    ru.upper = 1;
+    ru.reason = "r_u is the share of the normal stress that pore pressure "
+                "carries, 0 to 1";
+    zone.ru = readNumber(dict, "ru", dimless, ru, 0);
+    return zone;
+}
+
+} // namespace
+
+groundContact::groundContact(
+    const ground& theGround,
+    const dictionary& boundaryProperties,
+    scalar elementSpacing,
+    scalar planeThickness,
+    const vector& planeNormal
+)
+:
+    ground_(theGround),
+    elementSpacing_(elementSpacing),
+    planeThickness_(planeThickness),
+    planeNormal_(planeNormal)
+{
+    allowOnly(
+        boundaryProperties, {"contact", "zones", "planeStrain", "cyclic"}
+    );
+    readChoice(
+        boundaryProperties, "contact", {"signedDistance"}, "signedDistance"
+    );
+    readZones(boundaryProperties.subDict("zones"));
+}
+
+void groundContact::readZones(const dictionary& zones)
+{
+    allowOnly(zones, ground_.zones());
+    for (const word& name : ground_.zones())
+    {
+        if (!zones.found(name))
+        {
+            FatalIOErrorInFunction(zones)
+                << "The ground has a zone " << name
+                << " that has no entry here: its friction is unknown. Write "
+                << name << " { friction Coulomb; mu 0.5; } or friction none;"
+                << " zones of this ground: " << ground_.zones()
+                << exit(FatalIOError);
+        }
+        zones_.push_back(readZone(zones.subDict(name)));
+    }
+}
+
+scalar groundContact::nextOpening(scalar time) const
+{
+    scalar next = GREAT;
+    for (const groundZone& z : zones_)
+    {
+        if (z.opensAt > time)
+        {
+            next = min(next, z.opensAt);
+        }
+    }
+    return next;
+}
+
+void groundContact::update(scalar time, const cellLattice& lattice)
+{
+    if (time < nextChange_)
+    {
+        return;
+    }
+    nextChange_ = nextOpening(time);
+
+    const surfaceElements all = ground_.elements(elementSpacing_);
+    const boundBox box = ground_.bounds();
+    // in plane strain an element stands for a length: area over the width of
+    // the ground along the normal of the plane
+    const scalar width
+        = planeThickness_ > 0 ? (box.span() & cmptMag(planeNormal_)) : 1;
+
+    size_ = 0;
+    realArrays<3> x, n;
+    realArray area, mu;
+    for (auto* f : {&x[0], &x[1], &x[2], &n[0], &n[1], &n[2], &area, &mu})
+    {
+        f->resize(all.x.size());
+    }
+    forAll(all.x, q)
+    {
+        const groundZone& z = zones_[static_cast<std::size_t>(all.zone[q])];
+        if (z.opensAt <= time)
+        {
+            continue;
+        }
+        const scalar A = mag(all.nA[q]);
+        point at = all.x[q];
+        if (planeThickness_ > 0)
+        {
+            at -= (at & planeNormal_) * planeNormal_;
+        }
+        set(x, size_, at);
+        set(n, size_, all.nA[q] / A);
+        area[size_] = A / width;
+        mu[size_] = effectiveFriction(all.zone[q]);
+        ++size_;
+    }
+
+    indexArray order;
+    order.resize(size_);
+    lattice.sort(x, size_, order, cells_);
+    if (!cells_.moved)
+    {
+        for (int q = 0; q < size_; ++q)
+        {
+            order[q] = q;
+        }
+    }
+    const auto arrange = [&](realArray& from, realArray& to)
+    {
+        to.resize(size_);
+        for (int q = 0; q < size_; ++q)
+        {
+            to[q] = from[order[q]];
+        }
+    };
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        arrange(x[d], x_[d]);
+        arrange(n[d], n_[d]);
+    }
+    arrange(area, area_);
+    arrange(mu, mu_);
+}
+
+std::size_t groundContact::bytes() const
+{
+    return 8 * area_.bytes() + cells_.start.size() * sizeof(int);
+}
+
+void groundContact::present(::lpf::wallPass& pass) const
+{
+    pass.elements = cells_.grid;
+    // a cyclic direction has no images of the ground: it extends beyond
+    for (double& period : pass.elements.period)
+    {
+        period = 0;
+    }
+    pass.ex = x_[0].data();
+    pass.ey = x_[1].data();
+    pass.ez = x_[2].data();
+    pass.nx = n_[0].data();
+    pass.ny = n_[1].data();
+    pass.nz = n_[2].data();
+    pass.area = area_.data();
+    pass.mu = mu_.data();
+}
+
+groundHit
+groundContact::signedDistance(const point& x, scalar radius, scalar time) const
+{
+    groundHit hit = ground_.signedDistance(x, radius);
+    if (hit.found)
+    {
+        const groundZone& z = zones_[static_cast<std::size_t>(hit.zone)];
+        hit.found = z.opensAt > time;
+    }
+    return hit;
+}
+
+} // namespace lpf
+} // namespace Foam

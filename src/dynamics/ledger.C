@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ledger.H"
+
+#include "OStringStream.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+//- Every running sum once, for writing and reading
+template<class Balance, class Task>
+void forSums(Balance& b, const Task& task)
+{
+    task("plastic", b.plastic);
+    task("separation", b.separation);
+    task("friction", b.friction);
+    task("viscous", b.viscous);
+    task("projection", b.projection);
+    task("wallTension", b.wallTension);
+    task("left", b.left);
+    task("wrapped", b.wrapped);
+    task("wallNormalImpulse", b.wallNormalImpulse);
+    task("projectionNormalImpulse", b.projectionNormalImpulse);
+    task("initialKinetic", b.initial.kinetic);
+    task("initialPotential", b.initial.potential);
+    task("initialElastic", b.initial.elastic);
+    task("peakKinetic", b.peakKinetic);
+}
+
+template<class Balance, class Task>
+void forVectorSums(Balance& b, const Task& task)
+{
+    task("gravityImpulse", b.gravityImpulse);
+    task("wallImpulse", b.wallImpulse);
+    task("frictionImpulse", b.frictionImpulse);
+    task("projectionImpulse", b.projectionImpulse);
+    task("leftMomentum", b.leftMomentum);
+    task("initialMomentum", b.initial.momentum);
+}
+
+} // namespace
+
+dictionary balance::state() const
+{
+    dictionary d;
+    forSums(*this, [&](const char* name, scalar v) { d.set(name, v); });
+    forVectorSums(
+        *this, [&](const char* name, const vector& v) { d.set(name, v); }
+    );
+    return d;
+}
+
+void balance::restore(const dictionary& d)
+{
+    forSums(*this, [&](const char* name, scalar& v) { d.readEntry(name, v); });
+    forVectorSums(
+        *this, [&](const char* name, vector& v) { d.readEntry(name, v); }
+    );
+}
+
+} // namespace lpf
+} // namespace Foam

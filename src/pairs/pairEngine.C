@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops, lanes and threads of the pair sums. The physics is in pairTerms.H.
+// Built once an instruction set, each time a library of its own.
+
+#include "pairEngine.H"
+#include "cellRuns.H"
+#include "lanes.H"
+#include "pairTerms.H"
+#include "wendlandC2.H"
+
+#include <chrono>
+
+#ifndef LPF_ISA
+#error "LPF_ISA names the instruction set of this build"
+#endif
+
+namespace lpf
+{
+namespace
+{
+
+//- A distance that no kernel reaches: masks lanes beyond the end of a run
+constexpr double farAway = 1e300;
+
+Vec<pack> loadVec(const double* x, const double* y, const double* z, int j)
+{
+    return {load(x + j), load(y + j), load(z + j)};
+}
+
+Vec<pack> broadcast(const double* x, const double* y, const double* z, int i)
+{
+    return {pack(x[i]), pack(y[i]), pack(z[i])};
+}
+
+double sum(const Vec<pack>& a, int component)
+{
+    return lpf::sum(component == 0 ? a.x : component == 1 ? a.y : a.z);
+}
+
+//- Walk the packs of all runs; term(j, x_ij, rSqr, near) where a lane is near
+template<class Term>
+inline void overPairs(
+    const runs& around,
+    const Vec<pack>& x_i,
+    const double* x,
+    const double* y,
+    const double* z,
+    double supportSqr,
+    const Term& term
+)
+{
+    const pack numbers = laneNumbers();
+
+    for (int k = 0; k < around.count; ++k)
+    {
+        const run& r = around.list[k];
+        const Vec<pack> from = x_i
+            - Vec<pack>{pack(r.shift[0]), pack(r.shift[1]), pack(r.shift[2])};
+
+        for (int j = r.begin; j < r.end; j += nLanes)
+        {
+            const Vec<pack> x_ij = from - loadVec(x, y, z, j);
+            pack rSqr = magSqr(x_ij);
+            stdx::where(!firstLanes(numbers, r.end - j), rSqr) = farAway;
+            if (stdx::any_of(rSqr < pack(supportSqr)))
+            {
+                term(j, x_ij, rSqr);
+            }
+        }
+    }
+}
+
+//- Lanes outside the support have x_ij up to two cells, inside a masked one
+//  anything: F = 0 there removes both, as long as x_ij is finite
+void kinematics(const kinematicsPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forCells(
+        p.cells,
+        [&](int begin, int end, long cx, long cy, long cz)
+        {
+            const runs around = runsAround(p.cells, cx, cy, cz);
+            for (int i = begin; i < end; ++i)
+            {
+                const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
+                Kinematics<pack> total = {};
+
+                overPairs(
+                    around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z,
+                    W.supportSqr(),
+                    [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+                    {
+                        addKinematics(
+                            total,
+                            pack(load(p.V + j) * W.gradByDistance(rSqr)),
+                            x_ij,
+                            v_i - loadVec(p.u, p.v, p.w, j)
+                        );
+                    }
+                );
+
+                const Vec<pack>* rows[3] = {
+                    &total.R.x, &total.R.y, &total.R.z};
+                for (int c = 0; c < 9; ++c)
+                {
+                    p.R[c][i] = sum(*rows[c / 3], c % 3);
+                }
+                const pack* M = &total.M.xx;
+                for (int c = 0; c < 6; ++c)
+                {
+                    p.M[c][i] = lpf::sum(M[c]);
+                }
+            }
+        }
+    );
+}
+
+Tensor<pack> loadTensor(const double* const A[9], int j)
+{
+    return {
+        loadVec(A[0], A[1], A[2], j),
+        loadVec(A[3], A[4], A[5], j),
+        loadVec(A[6], A[7], A[8], j)};
+}
+
+//- Adds the artificial viscosity of one pack; returns the power taken [W/kg]
+void addViscosity(
+    const forcePass& p, const wendlandC2& W, int i, int j,
+    const Vec<pack>& x_ij, const pack& rSqr, Vec<pack>& a, pack& power
+)
+{
+    const Vec<pack> v_ij
+        = broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
+    const pack rhoMean = pack(0.5) * (pack(p.rho[i]) + load(p.rho + j));
+    const pack Pi = artificialViscosity(
+        x_ij, v_ij, rSqr, pack(p.alpha * p.h * p.soundSpeed), pack(p.h * p.h),
+        rhoMean
+    );
+    const pack mPiF
+        = load(p.m + j) * Pi * W.gradByDistance(rSqr) / pack(p.thickness);
+
+    a += Vec<pack>{-mPiF * x_ij.x, -mPiF * x_ij.y, -mPiF * x_ij.z};
+    power += pack(0.5) * mPiF * (v_ij & x_ij);
+}
+
+template<bool viscous>
+void force(const forcePass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forCells(
+        p.cells,
+        [&](int begin, int end, long cx, long cy, long cz)
+        {
+            const runs around = runsAround(p.cells, cx, cy, cz);
+            for (int i = begin; i < end; ++i)
+            {
+                Force<pack> total = {};
+                Vec<pack> a = {};
+                pack power(0.0);
+
+                overPairs(
+                    around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z,
+                    W.supportSqr(),
+                    [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+                    {
+                        addForce(
+                            total,
+                            pack(load(p.V + j) * W.gradByDistance(rSqr)),
+                            x_ij, loadTensor(p.A, j)
+                        );
+                        if constexpr (viscous)
+                        {
+                            addViscosity(p, W, i, j, x_ij, rSqr, a, power);
+                        }
+                    }
+                );
+
+                const Vec<double> g = {
+                    sum(total.gradV, 0), sum(total.gradV, 1),
+                    sum(total.gradV, 2)};
+                const double s = p.thickness * p.V[i] / p.m[i];
+                double* out[3] = {p.ax + i, p.ay + i, p.az + i};
+                for (int c = 0; c < 3; ++c)
+                {
+                    const Vec<double> row = {
+                        p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
+                    *out[c] = s * ((row & g) + sum(total.other, c));
+                    if constexpr (viscous)
+                    {
+                        *out[c] += sum(a, c);
+                    }
+                }
+                if constexpr (viscous)
+                {
+                    p.viscousPower[i] = p.m[i] * lpf::sum(power);
+                }
+            }
+        }
+    );
+}
+
+void anyForce(const forcePass& p)
+{
+    p.alpha > 0 ? force<true>(p) : force<false>(p);
+}
+
+//- Nearest element so far in each lane
+struct nearestLanes
+{
+    pack rSqr = pack(farAway), distance = pack(farAway);
+    Vec<pack> normal = {};
+
+    void see(
+        const pack& r2, const pack& d, const Vec<pack>& n, double outOfSight
+    )
+    {
+        const packMask nearer = r2 < rSqr && d > pack(-outOfSight);
+        stdx::where(nearer, rSqr) = r2;
+        stdx::where(nearer, distance) = d;
+        stdx::where(nearer, normal.x) = n.x;
+        stdx::where(nearer, normal.y) = n.y;
+        stdx::where(nearer, normal.z) = n.z;
+    }
+
+    void store(wallRecord& to) const
+    {
+        to.nearestSqr = farAway;
+        to.distance = farAway;
+        to.normal[0] = to.normal[1] = to.normal[2] = 0;
+        for (std::size_t k = 0; k < pack::size(); ++k)
+        {
+            if (rSqr[k] < to.nearestSqr)
+            {
+                to.nearestSqr = rSqr[k];
+                to.distance = distance[k];
+                to.normal[0] = normal.x[k];
+                to.normal[1] = normal.y[k];
+                to.normal[2] = normal.z[k];
+            }
+        }
+    }
+};
+
+void store(const WallSums<pack>& from, wallRecord& to)
+{
+    const pack* N3 = &from.N3.xxx;
+    for (int c = 0; c < 10; ++c)
+    {
+        to.N3[c] = lpf::sum(N3[c]);
+    }
+    const pack* D2 = &from.D2.xx;
+    for (int c = 0; c < 6; ++c)
+    {
+        to.D2[c] = lpf::sum(D2[c]);
+    }
+    to.area = lpf::sum(from.area);
+    to.friction = lpf::sum(from.friction);
+}
+
+void wallOfParticle(
+    const wallPass& p, const wendlandC2& W, const runs& around, int i
+)
+{
+    WallSums<pack> total = {};
+    nearestLanes nearest;
+
+    overPairs(
+        around, broadcast(p.x, p.y, p.z, i), p.ex, p.ey, p.ez, W.supportSqr(),
+        [&](int q, const Vec<pack>& x_iq, const pack& rSqr)
+        {
+            const Vec<pack> n = loadVec(p.nx, p.ny, p.nz, q);
+            const pack d = x_iq & n;
+            pack AW = load(p.area + q) * W.value(rSqr);
+            stdx::where(!(d > pack(-p.behind)), AW) = 0;
+
+            addWall(total, AW, n, d, load(p.mu + q));
+            nearest.see(rSqr, d, n, p.outOfSight);
+        }
+    );
+
+    wallRecord& out = p.sums[p.slot[i]];
+    store(total, out);
+    nearest.store(out);
+}
+
+void wall(const wallPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forCells(
+        p.cells,
+        [&](int begin, int end, long cx, long cy, long cz)
+        {
+            if (p.slot[begin] < 0)
+            {
+                return;
+            }
+            const runs around = runsAround(p.elements, cx, cy, cz);
+            for (int i = begin; i < end; ++i)
+            {
+                wallOfParticle(p, W, around, i);
+            }
+        }
+    );
+}
+
+int wallSlots(const cellGrid& cells, const cellGrid& elements, int* slot)
+{
+    // first mark in parallel, then number in the order of the particles
+    forCells(
+        cells,
+        [&](int begin, int end, long cx, long cy, long cz)
+        {
+            const int near = runsAround(elements, cx, cy, cz).count;
+            for (int i = begin; i < end; ++i)
+            {
+                slot[i] = near > 0 ? 0 : -1;
+            }
+        }
+    );
+
+    const int n
+        = cells.start[static_cast<long>(cells.n[0]) * cells.n[1] * cells.n[2]];
+    int count = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        if (slot[i] == 0)
+        {
+            slot[i] = count++;
+        }
+    }
+    return count;
+}
+
+//- Independent multiply-adds in registers
+double peak()
+{
+    constexpr int chains = 12, repeats = 4000000;
+    pack a[chains];
+    for (int k = 0; k < chains; ++k)
+    {
+        a[k] = pack(1.0 + k);
+    }
+    const pack b(0.999999), c(1e-6);
+    const auto begin = std::chrono::steady_clock::now();
+    for (int r = 0; r < repeats; ++r)
+    {
+        for (int k = 0; k < chains; ++k)
+        {
+            a[k] = a[k] * b + c;
+        }
+    }
+    const std::chrono::duration<double> t
+        = std::chrono::steady_clock::now() - begin;
+    double used = 0;
+    for (int k = 0; k < chains; ++k)
+    {
+        used += lpf::sum(a[k]);
+    }
+    const double count = 1.0 * chains * repeats * nLanes;
+    return used > 0 ? count / t.count() : 0;
+}
+
+const pairEngine engine = {
+    LPF_ISA, nLanes, kinematics, anyForce, wall, wallSlots, peak};
+
+} // namespace
+} // namespace lpf
+
+extern "C" __attribute__((visibility("default"))) const lpf::pairEngine*
+lpfPairEngine()
+{
+    return &lpf::engine;
+}
