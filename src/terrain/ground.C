@@ -73,7 +73,7 @@ void ground::write(const fileName& caseDir) const
     const fileName directory = caseDir / "constant" / "terrain";
     mkDir(directory);
     dictionary parts;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         const word name = "part" + Foam::name(i);
         parts.add(name, parts_[i].write(directory, name));
@@ -95,7 +95,7 @@ void ground::write(const fileName& caseDir) const
 boundBox ground::bounds() const
 {
     boundBox all = boundBox(boundBox::invertedBox);
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         if (parts_[i].nTriangles())
         {
@@ -111,7 +111,7 @@ boundBox ground::bounds() const
 label ground::nTriangles() const
 {
     label n = 0;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         n += parts_[i].nTriangles();
     }
@@ -123,7 +123,7 @@ groundHit
 ground::signedDistance(const point& x, const scalar searchRadius) const
 {
     groundHit hit;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         parts_[i].nearest(x, searchRadius, hit);
     }
@@ -138,7 +138,7 @@ ground::signedDistance(const point& x, const scalar searchRadius) const
 surfaceElements ground::elements(const scalar spacing) const
 {
     surfaceElements all;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         parts_[i].elements(spacing, all);
     }
@@ -149,7 +149,7 @@ surfaceElements ground::elements(const scalar spacing) const
 groundMesh ground::triangles(const label most) const
 {
     groundMesh mesh;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         parts_[i].surface(max(most - mesh.faces.size(), 2), mesh);
     }
@@ -170,7 +170,7 @@ void ground::triangles(pointField& points, faceList& faces, labelList& zone)
 groundHit ground::elevation(const scalar x, const scalar y) const
 {
     groundHit hit;
-    forAll(parts_, i)
+    forAll (parts_, i)
     {
         parts_[i].elevation(x, y, hit);
     }
@@ -181,7 +181,7 @@ groundHit ground::elevation(const scalar x, const scalar y) const
 void ground::removeZone(const word& zone)
 {
     const label i = zones_.find(zone);
-    forAll(parts_, k)
+    forAll (parts_, k)
     {
         parts_[k].removeZone(i);
     }

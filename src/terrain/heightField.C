@@ -16,9 +16,7 @@ addToRunTimeSelectionTable(groundPart, heightField, dictionary);
 
 
 heightField::heightField(
-    const heightGrid& grid,
-    scalarField&& z,
-    const label zone
+    const heightGrid& grid, scalarField&& z, const label zone
 )
     : grid_(grid), z_(std::move(z)), zone_(zone)
 {
@@ -76,7 +74,7 @@ void heightField::prepare()
     );
     bounds_ = boundBox(from, to);
     roundOff_ = 4 * std::numeric_limits<scalar>::epsilon()
-        * max(cmptMax(cmptMag(from)), cmptMax(cmptMag(to)));
+              * max(cmptMax(cmptMag(from)), cmptMax(cmptMag(to)));
 }
 
 
@@ -94,17 +92,13 @@ corners heightField::cornersOf(const FixedList<label, 3>& vertices) const
 }
 
 
-heightField::cellTriangles
-heightField::cell(const label i, const label j) const
+heightField::cellTriangles heightField::cell(const label i, const label j) const
 {
     // counter-clockwise seen from above
     const FixedList<label, 4> v{
-        vertex(i, j),
-        vertex(i + 1, j),
-        vertex(i + 1, j + 1),
-        vertex(i, j + 1)};
+        vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)};
     label holes = 0, last = -1;
-    forAll(v, k)
+    forAll (v, k)
     {
         if (isHole(v[k]))
         {
@@ -171,8 +165,7 @@ bool heightField::isOpenEdge(const label v, const label w) const
 
 
 bool heightField::isOpen(
-    const FixedList<label, 3>& vertices,
-    const triangleHit::regionType region
+    const FixedList<label, 3>& vertices, const triangleHit::regionType region
 ) const
 {
     switch (region)
@@ -212,10 +205,7 @@ label heightField::nTriangles() const
 
 
 bool heightField::isFar(
-    const label i,
-    const label j,
-    const point& x,
-    const groundHit& hit
+    const label i, const label j, const point& x, const groundHit& hit
 ) const
 {
     scalar low = hole(), high = -hole();
@@ -242,10 +232,7 @@ bool heightField::isFar(
 
 
 void heightField::nearestInCell(
-    const label i,
-    const label j,
-    const point& x,
-    groundHit& hit
+    const label i, const label j, const point& x, groundHit& hit
 ) const
 {
     if (isFar(i, j, x, hit))
@@ -268,11 +255,8 @@ void heightField::nearestInCell(
 }
 
 
-void heightField::nearest(
-    const point& x,
-    const scalar radius,
-    groundHit& hit
-) const
+void heightField::nearest(const point& x, const scalar radius, groundHit& hit)
+    const
 {
     if (!hit.found)
     {
@@ -288,9 +272,7 @@ void heightField::nearest(
         return;
     }
     const auto place = [](const scalar s, const label last)
-    {
-        return s > 0 ? (s < last ? label(s) : last) : 0;
-    };
+    { return s > 0 ? (s < last ? label(s) : last) : 0; };
     const label ci = place((x.x() - grid_.x0) / grid_.dx, mx);
     const label cj = place((x.y() - grid_.y0) / grid_.dy, my);
     const scalar side = min(grid_.dx, grid_.dy);
@@ -320,11 +302,8 @@ void heightField::nearest(
 }
 
 
-void heightField::elevation(
-    const scalar x,
-    const scalar y,
-    groundHit& hit
-) const
+void heightField::elevation(const scalar x, const scalar y, groundHit& hit)
+    const
 {
     const label mx = grid_.nx - 2, my = grid_.ny - 2;
     const scalar s = (x - grid_.x0) / grid_.dx, t = (y - grid_.y0) / grid_.dy;
@@ -352,10 +331,8 @@ void heightField::elevation(
 }
 
 
-void heightField::elements(
-    const scalar spacing,
-    surfaceElements& elements
-) const
+void heightField::elements(const scalar spacing, surfaceElements& elements)
+    const
 {
     for (label j = 0; j < grid_.ny - 1; ++j)
     {
@@ -378,9 +355,7 @@ void heightField::surface(const label most, groundMesh& mesh) const
     // every n-th vertex of both directions; the far rows may be left out
     label stride = 1;
     const auto count = [&]
-    {
-        return 2.0 * ((grid_.nx - 1) / stride) * ((grid_.ny - 1) / stride);
-    };
+    { return 2.0 * ((grid_.nx - 1) / stride) * ((grid_.ny - 1) / stride); };
     while (count() > most)
     {
         ++stride;
@@ -392,22 +367,17 @@ void heightField::surface(const label most, groundMesh& mesh) const
         return;
     }
     scalarField z(nx * ny);
-    forAll(z, v)
+    forAll (z, v)
     {
         z[v] = z_[vertex(v % nx * stride, v / nx * stride)];
     }
     const heightField coarse(
-        {nx,
-         ny,
-         grid_.x0,
-         grid_.y0,
-         stride * grid_.dx,
-         stride * grid_.dy},
+        {nx, ny, grid_.x0, grid_.y0, stride * grid_.dx, stride * grid_.dy},
         std::move(z),
         zone_
     );
     const label first = mesh.points.size();
-    forAll(coarse.z_, v)
+    forAll (coarse.z_, v)
     {
         // a hole is used by no face; its height must not blow up the display
         point p = coarse.position(v);
@@ -420,7 +390,7 @@ void heightField::surface(const label most, groundMesh& mesh) const
         for (label k = 0; k < here.count; ++k)
         {
             face f(3);
-            forAll(f, m)
+            forAll (f, m)
             {
                 f[m] = first + here.vertices[k][m];
             }
@@ -441,8 +411,7 @@ void heightField::removeZone(const label zone)
 }
 
 
-dictionary heightField::write(const fileName& directory, const word& name)
-    const
+dictionary heightField::write(const fileName& directory, const word& name) const
 {
     const word gridName = name + "Grid", heightsName = name + "Heights";
     const IOstreamOption binary(IOstream::BINARY);

@@ -37,8 +37,7 @@ vector unitNormal(const corners& t)
 
 // Regions of Voronoi by signs of dot products: Ericson, Real-Time Collision
 // Detection (2005), 5.1.5
-triangleHit
-nearestOnTriangle(const corners& t, const vector& n, const point& x)
+triangleHit nearestOnTriangle(const corners& t, const vector& n, const point& x)
 {
     const vector ab = t[1] - t[0], ac = t[2] - t[0];
     const vector ax = x - t[0], bx = x - t[1], cx = x - t[2];
@@ -102,8 +101,7 @@ bool verticalMeets(const corners& t, scalar x, scalar y, scalar& z)
             return false;
         }
     }
-    z = t[0].z()
-        - (n.x() * (x - t[0].x()) + n.y() * (y - t[0].y())) / n.z();
+    z = t[0].z() - (n.x() * (x - t[0].x()) + n.y() * (y - t[0].y())) / n.z();
     return true;
 }
 
@@ -122,9 +120,7 @@ scalar distanceSqr(const boundBox& box, const point& x)
 
 
 rank compare(
-    const triangleHit& candidate,
-    const scalar roundOff,
-    const groundHit& hit
+    const triangleHit& candidate, const scalar roundOff, const groundHit& hit
 )
 {
     const scalar now = mag(hit.distance);

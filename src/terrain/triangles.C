@@ -32,10 +32,7 @@ boundBox boxOf(const corners& t)
     return boundBox(min(t[0], min(t[1], t[2])), max(t[0], max(t[1], t[2])));
 }
 
-bool isOpen(
-    const unsigned char bits,
-    const triangleHit::regionType region
-)
+bool isOpen(const unsigned char bits, const triangleHit::regionType region)
 {
     return region != triangleHit::face && (bits >> (region - 1) & 1);
 }
@@ -47,7 +44,7 @@ triangles::triangles(const UList<corners>& all, const UList<label>& zone)
     : triangles_(all.size()), zone_(all.size())
 {
     label used = 0;
-    forAll(all, i)
+    forAll (all, i)
     {
         if (mag(areaVector(all[i])) > 0)
         {
@@ -65,9 +62,9 @@ triangles::triangles(const dictionary& dict, const fileName& directory)
 {
     const inputFile pointsFile(directory / dict.get<fileName>("points"));
     const List<vector> points = readList<vector>(pointsFile);
-    zone_ = readList<label>(
-        inputFile(directory / dict.get<fileName>("zoneLabels"))
-    );
+    zone_ =
+        readList<label>(inputFile(directory / dict.get<fileName>("zoneLabels"))
+        );
     if (points.size() != 3 * zone_.size())
     {
         pointsFile.damaged(
@@ -78,7 +75,7 @@ triangles::triangles(const dictionary& dict, const fileName& directory)
         );
     }
     triangles_.resize(zone_.size());
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         triangles_[i] = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
     }
@@ -92,7 +89,7 @@ void triangles::prepare()
     normal_.resize(n);
     order_.resize(n);
     scalar largest = 0;
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         normal_[i] = unitNormal(triangles_[i]);
         order_[i] = i;
@@ -131,8 +128,8 @@ label triangles::buildNode(const label first, const label count)
 
     const vector span = box.span();
     const direction axis = span.x() >= span.y()
-        ? (span.x() >= span.z() ? 0 : 2)
-        : (span.y() >= span.z() ? 1 : 2);
+                             ? (span.x() >= span.z() ? 0 : 2)
+                             : (span.y() >= span.z() ? 1 : 2);
     const label half = count / 2;
     const auto centre = [&](const label i)
     {
@@ -195,25 +192,19 @@ void triangles::search(const point& x, const Reach& reach, const Visit& visit)
 }
 
 
-bool triangles::touches(
-    const point& x,
-    const scalar tolerance,
-    const label i
-) const
+bool triangles::touches(const point& x, const scalar tolerance, const label i)
+    const
 {
     bool found = false;
     search(
         x,
-        [&]
-        {
-            return found ? scalar(-1) : sqr(tolerance);
-        },
+        [&] { return found ? scalar(-1) : sqr(tolerance); },
         [&](const label j)
         {
             found = found
-                || (j != i
-                    && nearestOnTriangle(triangles_[j], normal_[j], x).distance
-                        <= tolerance);
+                 || (j != i
+                     && nearestOnTriangle(triangles_[j], normal_[j], x).distance
+                            <= tolerance);
         }
     );
     return found;
@@ -226,14 +217,10 @@ unsigned char triangles::openCorners(const label i) const
     for (label k = 0; k < 3; ++k)
     {
         const point& p = triangles_[i][k];
-        const scalar tolerance = touching
-            * mag(triangles_[i][(k + 1) % 3] - p);
+        const scalar tolerance = touching * mag(triangles_[i][(k + 1) % 3] - p);
         search(
             p,
-            [&]
-            {
-                return sqr(tolerance);
-            },
+            [&] { return sqr(tolerance); },
             [&](const label j)
             {
                 for (label e = 0; e < 3; ++e)
@@ -256,7 +243,7 @@ unsigned char triangles::openCorners(const label i) const
 void triangles::findOpenEdges()
 {
     open_.assign(std::size_t(triangles_.size()), 0);
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         for (label e = 0; e < 3; ++e)
         {
@@ -269,11 +256,11 @@ void triangles::findOpenEdges()
         }
     }
     std::vector<unsigned char> corner(open_.size());
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         corner[std::size_t(i)] = openCorners(i);
     }
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         unsigned char& bits = open_[std::size_t(i)];
         bits = static_cast<unsigned char>(bits | corner[std::size_t(i)]);
@@ -369,7 +356,7 @@ void triangles::elevation(const scalar x, const scalar y, groundHit& hit) const
 
 void triangles::elements(const scalar spacing, surfaceElements& elements) const
 {
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         appendElements(triangles_[i], zone_[i], spacing, elements);
     }
@@ -378,10 +365,10 @@ void triangles::elements(const scalar spacing, surfaceElements& elements) const
 
 void triangles::surface(label, groundMesh& mesh) const
 {
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         face f(3);
-        forAll(f, k)
+        forAll (f, k)
         {
             f[k] = mesh.points.size();
             mesh.points.append(triangles_[i][k]);
@@ -395,7 +382,7 @@ void triangles::surface(label, groundMesh& mesh) const
 void triangles::removeZone(const label zone)
 {
     label used = 0;
-    forAll(triangles_, i)
+    forAll (triangles_, i)
     {
         if (zone_[i] != zone)
         {
@@ -412,7 +399,7 @@ void triangles::removeZone(const label zone)
 dictionary triangles::write(const fileName& directory, const word& name) const
 {
     List<vector> points(3 * triangles_.size());
-    forAll(points, i)
+    forAll (points, i)
     {
         points[i] = triangles_[i / 3][i % 3];
     }
