@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "dictionaryText.H"
+#include "error.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "stringOps.H"
+
+#include <cctype>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+std::string textOf(const Foam::fileName& file)
+{
+    Foam::IFstream is(file); // unpacks file.gz, too
+    std::ostringstream text;
+    if (is.good())
+    {
+        text << is.stdStream().rdbuf();
+    }
+    return text.str();
+}
+
+
+//- Walks over the text and knows where comments and strings are
+class scanner
+{
+    const std::string& text_;
+    std::size_t at_ = 0;
+    enum class state
+    {
+        plain,
+        lineComment,
+        blockComment,
+        string,
+        verbatim
+    } state_ = state::plain;
+
+    bool sees(const char* two) const
+    {
+        return text_.compare(at_, 2, two) == 0;
+    }
+
+    //- Characters that belong to the step from plain text into `to`
+    std::size_t enter(state to, std::size_t width)
+    {
+        state_ = to;
+        return width;
+    }
+
+public:
+    explicit scanner(const std::string& text) : text_(text) {}
+
+    bool end() const
+    {
+        return at_ >= text_.size();
+    }
+    std::size_t at() const
+    {
+        return at_;
+    }
+    bool inComment() const
+    {
+        return state_ == state::lineComment || state_ == state::blockComment;
+    }
+    bool inString() const
+    {
+        return state_ == state::string || state_ == state::verbatim;
+    }
+
+    //- Width of the piece at at(), all of one state
+    std::size_t piece()
+    {
+        switch (state_)
+        {
+            case state::plain:
+                return sees("//")       ? enter(state::lineComment, 2)
+                       : sees("/*")     ? enter(state::blockComment, 2)
+                       : sees("#{")     ? enter(state::verbatim, 2)
+                       : text_[at_] == '"' ? enter(state::string, 1)
+                                           : 1;
+            case state::string:
+                return text_[at_] == '\\' ? 2 : 1;
+            default:
+                return sees("*/") || sees("#}") ? 2 : 1;
+        }
+    }
+
+    //- Go past a piece
+    void pass(std::size_t width, bool opened)
+    {
+        const bool closed = !opened
+            && ((state_ == state::lineComment && text_[at_] == '\n')
+                || (state_ == state::blockComment && sees("*/"))
+                || (state_ == state::verbatim && sees("#}"))
+                || (state_ == state::string && text_[at_] == '"'));
+        if (closed)
+        {
+            state_ = state::plain;
+        }
+        at_ += width;
+    }
+};
+
+} // namespace
+
+
+std::string
+Foam::lpf::withoutComments(const std::string& text, const quoted strings)
+{
+    std::string result(text);
+    scanner scan(text);
+    while (!scan.end())
+    {
+        const bool wasPlain = !scan.inComment() && !scan.inString();
+        const std::size_t width = scan.piece();
+        const bool blank = scan.inComment()
+            || (scan.inString() && strings == quoted::blank);
+        for (std::size_t i = 0; blank && i < width; ++i)
+        {
+            char& c = result[std::min(scan.at() + i, text.size() - 1)];
+            c = c == '\n' ? '\n' : ' ';
+        }
+        scan.pass(width, wasPlain);
+    }
+    return result;
+}
+
+
+void Foam::lpf::checkBrackets(const fileName& file)
+{
+    struct bracket
+    {
+        char closing;
+        label line;
+    };
+    const std::string text = withoutComments(textOf(file), quoted::blank);
+    std::vector<bracket> open;
+    label line = 1;
+    const auto stop = [&](const label at, const std::string& message)
+    {
+        FatalIOError("", "", 0, file, at, -1) << message.c_str()
+                                              << exit(FatalIOError);
+    };
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        const char c = text[i];
+        line += c == '\n';
+        // ${name} closes with a brace of its own and so needs no exception
+        if (c == '{' || c == '(' || c == '[')
+        {
+            open.push_back({c == '{' ? '}' : c == '(' ? ')' : ']', line});
+        }
+        else if (c == '}' || c == ')' || c == ']')
+        {
+            if (open.empty())
+            {
+                stop(line, std::string("'") + c + "' closes nothing: remove "
+                     "it, or write the bracket that it is to close");
+            }
+            if (open.back().closing != c)
+            {
+                stop(line, std::string("'") + c + "' found where '"
+                     + open.back().closing + "' must close the bracket of "
+                     "line " + std::to_string(open.back().line)
+                     + ": write the missing '" + open.back().closing + "'");
+            }
+            open.pop_back();
+        }
+    }
+    if (!open.empty())
+    {
+        stop(open.back().line, std::string("the bracket opened here is never "
+             "closed: write the missing '") + open.back().closing + "'");
+    }
+}
+
+
+namespace
+{
+
+void addMacros(const std::string& text, Foam::wordHashSet& names)
+{
+    const auto belongs = [](const char c)
+    { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+
+    for (auto at = text.find('$'); at != std::string::npos;
+         at = text.find('$', at + 1))
+    {
+        // a path such as $:grains.rho or ${..rho}: each part counts as used
+        std::string name;
+        for (std::size_t i = at + 1; i <= text.size(); ++i)
+        {
+            const char c = i < text.size() ? text[i] : ' ';
+            if (belongs(c))
+            {
+                name += c;
+                continue;
+            }
+            names.insert(Foam::word(name, false));
+            name.clear();
+            if (std::string("{.:/^").find(c) == std::string::npos)
+            {
+                break;
+            }
+        }
+    }
+}
+
+
+void addMacrosOfFile(
+    const Foam::fileName& file,
+    Foam::wordHashSet& names,
+    const int depth
+)
+{
+    using namespace Foam;
+
+    const std::string text = lpf::withoutComments(
+        textOf(file), lpf::quoted::keep
+    );
+    addMacros(text, names);
+    for (auto at = text.find("#include");
+         depth < 10 && at != std::string::npos;
+         at = text.find("#include", at + 1))
+    {
+        const auto begin = text.find('"', at);
+        const auto end = text.find('"', begin + 1);
+        if (end == std::string::npos || begin > text.find('\n', at))
+        {
+            continue;
+        }
+        fileName included(text.substr(begin + 1, end - begin - 1), false);
+        stringOps::inplaceExpand(included);
+        addMacrosOfFile(
+            included.isAbsolute() ? included : file.path() / included,
+            names,
+            depth + 1
+        );
+    }
+}
+
+} // namespace
+
+
+Foam::wordHashSet Foam::lpf::macrosUsed(const fileName& file)
+{
+    wordHashSet names;
+    addMacrosOfFile(file, names, 0);
+    names.erase(word());
+    return names;
+}
