@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "columnSample.H"
+
+#include "labelList.H"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+//- Shape of Wendland C2; the factor in front cancels in the shares
+inline scalar shape(const scalar q)
+{
+    if (q >= 2)
+    {
+        return 0;
+    }
+    const scalar s = 1 - 0.5 * q;
+    return s * s * s * s * (2 * q + 1);
+}
+
+//- Points of the cells: an endless lattice, n a side in each cell
+class cellPoints
+{
+    const planGrid& grid_;
+    label n_[2];
+    scalar step_[2];
+
+    //- Points of one axis within reach of x, as a half-open range
+    std::pair<label, label>
+    range(const int axis, const scalar x, const scalar reach) const
+    {
+        if (grid_.flat == axis)
+        {
+            return {0, 1};
+        }
+        const scalar lower = axis == 0 ? grid_.x0 : grid_.y0;
+        const scalar p = (x - lower) / step_[axis] - 0.5;
+        const scalar r = reach / step_[axis];
+        return {label(std::floor(p - r)), label(std::ceil(p + r)) + 1};
+    }
+
+    //- Offset of point k of an axis from x; nothing varies along flat
+    scalar offset(const int axis, const label k, const scalar x) const
+    {
+        const scalar lower = axis == 0 ? grid_.x0 : grid_.y0;
+        return grid_.flat == axis ? 0
+                                  : lower + (scalar(k) + 0.5) * step_[axis] - x;
+    }
+
+    template<class Ranges>
+    scalar sum(const point& x, const scalar h, const Ranges& r) const
+    {
+        scalar total = 0;
+        for (label k = r[1].first; k < r[1].second; ++k)
+        {
+            const scalar sy = sqr(offset(1, k, x.y()));
+            for (label l = r[0].first; l < r[0].second; ++l)
+            {
+                total += shape(sqrt(sy + sqr(offset(0, l, x.x()))) / h);
+            }
+        }
+        return total;
+    }
+
+public:
+    cellPoints(const planGrid& grid, const scalar hMin) : grid_(grid)
+    {
+        const scalar side[2] = {grid.dx, grid.dy};
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            n_[axis] =
+                axis == grid.flat
+                    ? 1
+                    : max(label(1), label(std::ceil(2 * side[axis] / hMin)));
+            step_[axis] = side[axis] / scalar(n_[axis]);
+        }
+    }
+
+    //- Over all points, of the grid and beyond
+    scalar sumAll(const point& x, const scalar h) const
+    {
+        const std::pair<label, label> r[2] = {
+            range(0, x.x(), 2 * h), range(1, x.y(), 2 * h)};
+        return sum(x, h, r);
+    }
+
+    //- Over the points of one cell
+    scalar
+    sumCell(const label i, const label j, const point& x, const scalar h) const
+    {
+        const std::pair<label, label> r[2] = {
+            {i * n_[0], (i + 1) * n_[0]}, {j * n_[1], (j + 1) * n_[1]}};
+        return sum(x, h, r);
+    }
+};
+
+//- Particles by plan bins at least as wide as their reach
+class planBins
+{
+    scalar x0_, y0_, side_;
+    label nx_, ny_;
+    labelList start_, particle_;
+
+    static label slot(const scalar p, const label n)
+    {
+        return max(label(0), min(n - 1, label(std::floor(p))));
+    }
+
+    label binOf(const point& x) const
+    {
+        return slot((x.x() - x0_) / side_, nx_)
+             + nx_ * slot((x.y() - y0_) / side_, ny_);
+    }
+
+public:
+    //- Particles further than side outside the grid gather in the border
+    //  bins, where the shares that they have are zero
+    planBins(const planGrid& grid, const vectorField& x, const scalar side)
+        : x0_(grid.x0 - side), y0_(grid.y0 - side), side_(side),
+          nx_(label(std::ceil(scalar(grid.nx) * grid.dx / side)) + 2),
+          ny_(label(std::ceil(scalar(grid.ny) * grid.dy / side)) + 2),
+          start_(nx_ * ny_ + 1, label(0)), particle_(x.size())
+    {
+        forAll (x, i)
+        {
+            ++start_[binOf(x[i]) + 1];
+        }
+        for (label b = 0; b < nx_ * ny_; ++b)
+        {
+            start_[b + 1] += start_[b];
+        }
+        labelList next(start_);
+        forAll (x, i)
+        {
+            particle_[next[binOf(x[i])]++] = i;
+        }
+    }
+
+    //- Visit the particles of all bins within reach of a rectangle, in an
+    //  order that does not depend on the cell
+    template<class Visit>
+    void around(
+        const point& centre,
+        const scalar reachX,
+        const scalar reachY,
+        const Visit& visit
+    ) const
+    {
+        const label i0 = slot((centre.x() - reachX - x0_) / side_, nx_);
+        const label i1 = slot((centre.x() + reachX - x0_) / side_, nx_);
+        const label j0 = slot((centre.y() - reachY - y0_) / side_, ny_);
+        const label j1 = slot((centre.y() + reachY - y0_) / side_, ny_);
+        for (label j = j0; j <= j1; ++j)
+        {
+            for (label k = start_[i0 + nx_ * j]; k < start_[i1 + nx_ * j + 1];
+                 ++k)
+            {
+                visit(particle_[k]);
+            }
+        }
+    }
+};
+
+//- Part of a column: volume spread evenly over a range of heights
+struct segment
+{
+    scalar lower, upper, volume;
+};
+
+//- Height below which the given share of the volume of the column lies
+scalar quantile(const std::vector<segment>& column, const scalar share)
+{
+    scalar low = GREAT, high = -GREAT, total = 0;
+    for (const segment& s : column)
+    {
+        low = min(low, s.lower);
+        high = max(high, s.upper);
+        total += s.volume;
+    }
+    // 2^-40 of the column: far below what a height means
+    for (int k = 0; k < 40; ++k)
+    {
+        const scalar middle = 0.5 * (low + high);
+        scalar below = 0;
+        for (const segment& s : column)
+        {
+            const scalar part = (middle - s.lower) / (s.upper - s.lower);
+            below += s.volume * max(scalar(0), min(scalar(1), part));
+        }
+        (below < share * total ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+//- Top of the column; see the header of columnSample
+scalar top(const std::vector<segment>& column)
+{
+    if (column.empty())
+    {
+        return noValue;
+    }
+    const scalar low = quantile(column, 0.05);
+    const scalar high = quantile(column, 0.95);
+    return high + (high - low) * 0.05 / 0.9;
+}
+
+//- Everything that one cell gathers from the particles around it
+class cellGather
+{
+    const planGrid& grid_;
+    const cloudSample& sample_;
+    const scalarField& heights_;
+    const cellPoints& points_;
+    const scalarField& sumAll_;
+    const scalarField size_;
+
+    std::vector<segment> column_;
+
+public:
+    scalar volume = 0;
+    scalar mass = 0;
+    vector momentum = vector::zero;
+    scalar maxSpeed = 0;
+
+    cellGather(
+        const planGrid& grid,
+        const cloudSample& sample,
+        const scalarField& heights,
+        const cellPoints& points,
+        const scalarField& sumAll
+    )
+        : grid_(grid), sample_(sample), heights_(heights), points_(points),
+          sumAll_(sumAll),
+          // Side of the cube, or of the square in a plane strain scene
+          size_(
+              grid.flat < 0
+                  ? scalarField(cbrt(sample.volume))
+                  : scalarField(
+                      sqrt(sample.volume / (grid.flat == 0 ? grid.dx : grid.dy))
+                  )
+          )
+    {
+    }
+
+    void clear()
+    {
+        volume = mass = maxSpeed = 0;
+        momentum = vector::zero;
+        column_.clear();
+    }
+
+    void add(const label i, const label j, const label p)
+    {
+        const point c = grid_.centre(i, j);
+        const vector& x = sample_.x[p];
+        const scalar ax = grid_.flat == 0 ? 0 : mag(x.x() - c.x());
+        const scalar ay = grid_.flat == 1 ? 0 : mag(x.y() - c.y());
+        const scalar reach = 2 * sample_.h[p];
+
+        if (ax <= 0.5 * (grid_.dx + size_[p])
+            && ay <= 0.5 * (grid_.dy + size_[p]))
+        {
+            maxSpeed = max(maxSpeed, mag(sample_.U[p]));
+        }
+        if (ax > reach + 0.5 * grid_.dx || ay > reach + 0.5 * grid_.dy)
+        {
+            return;
+        }
+        const scalar share =
+            points_.sumCell(i, j, x, sample_.h[p]) / sumAll_[p];
+        if (share <= 0)
+        {
+            return;
+        }
+        volume += share * sample_.volume[p];
+        mass += share * sample_.mass[p];
+        momentum += share * sample_.mass[p] * sample_.U[p];
+        if (hasValue(heights_[p]))
+        {
+            column_.push_back(
+                {max(scalar(0), heights_[p] - 0.5 * size_[p]),
+                 heights_[p] + 0.5 * size_[p],
+                 share * sample_.volume[p]}
+            );
+        }
+    }
+
+    //- Height of the top above the ground
+    scalar depth() const { return top(column_); }
+};
+
+} // namespace
+
+
+columnSample sampleColumns(
+    const planGrid& grid,
+    const cloudSample& sample,
+    const scalarField& heights,
+    const scalar present
+)
+{
+    const scalarField zero(grid.size(), scalar(0));
+    columnSample result{zero, zero, zero, zero, 0, 0};
+    if (!sample.size())
+    {
+        return result;
+    }
+
+    const scalar reach = 2 * max(sample.h);
+    const cellPoints points(grid, min(sample.h));
+    const planBins bins(grid, sample.x, reach);
+    scalarField sumAll(sample.size());
+    forAll (sumAll, p)
+    {
+        sumAll[p] = points.sumAll(sample.x[p], sample.h[p]);
+    }
+
+    cellGather cell(grid, sample, heights, points, sumAll);
+    for (label c = 0; c < grid.size(); ++c)
+    {
+        const label i = c % grid.nx, j = c / grid.nx;
+        cell.clear();
+        bins.around(
+            grid.centre(i, j),
+            grid.flat == 0 ? GREAT : reach + 0.5 * grid.dx,
+            grid.flat == 1 ? GREAT : reach + 0.5 * grid.dy,
+            [&](const label p) { cell.add(i, j, p); }
+        );
+        result.thicknessVertical[c] = cell.volume / grid.cellArea();
+        result.maxSpeed[c] = cell.maxSpeed;
+        result.volumeInside += cell.volume;
+        if (result.thicknessVertical[c] > present)
+        {
+            result.depth[c] = cell.depth();
+            result.meanSpeed[c] = mag(cell.momentum) / cell.mass;
+        }
+    }
+    result.volumeOutside = sum(sample.volume) - result.volumeInside;
+    return result;
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runoutPath.H"
+
+#include "DynamicList.H"
+#include "ListOps.H"
+#include "error.H"
+
+#include <cmath>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+scalar planDistance(const point& a, const point& b)
+{
+    return std::hypot(b.x() - a.x(), b.y() - a.y());
+}
+
+//- Vertices, and points between them no further apart than step
+pointField stations(const pointField& vertices, const scalar step)
+{
+    DynamicList<point> points;
+    points.append(vertices[0]);
+    for (label v = 1; v < vertices.size(); ++v)
+    {
+        const point a = vertices[v - 1];
+        const scalar length = planDistance(a, vertices[v]);
+        const label n = label(std::ceil(length / step));
+        for (label k = 1; k <= n; ++k)
+        {
+            points.append(a + (scalar(k) / scalar(n)) * (vertices[v] - a));
+        }
+    }
+    return pointField(std::move(points));
+}
+
+} // namespace
+
+
+runoutPath::runoutPath(
+    const word& name,
+    const pointField& vertices,
+    const pathLength length,
+    const ground& bed,
+    const scalar step
+)
+    : name_(name), length_(length), points_(stations(vertices, step)),
+      plan_(points_.size(), scalar(0)), distance_(points_.size(), scalar(0))
+{
+    if (points_.size() < 2)
+    {
+        FatalErrorInFunction << "path " << name
+                             << " has no two different points in plan"
+                             << exit(FatalError);
+    }
+    forAll (points_, k)
+    {
+        const groundHit hit = bed.elevation(points_[k].x(), points_[k].y());
+        if (!hit.found && length == pathLength::surface)
+        {
+            FatalErrorInFunction
+                << "path " << name << " leaves the ground at local ("
+                << points_[k].x() << ' ' << points_[k].y()
+                << "): its length along the surface is not defined." << nl
+                << "End the path on the ground, or write `length plan;`"
+                << exit(FatalError);
+        }
+        points_[k].z() = hit.found ? hit.nearest.z() : 0;
+    }
+    for (label k = 1; k < points_.size(); ++k)
+    {
+        const scalar planStep = planDistance(points_[k - 1], points_[k]);
+        plan_[k] = plan_[k - 1] + planStep;
+        distance_[k] =
+            distance_[k - 1]
+            + (length == pathLength::plan ? planStep
+                                          : mag(points_[k] - points_[k - 1]));
+    }
+}
+
+
+namespace
+{
+
+//- Value at a of the polygon through (x, y), x increasing, straight on at
+//  its ends
+template<class Type>
+Type polygonAt(const scalarField& x, const Field<Type>& y, const scalar a)
+{
+    const label last = x.size() - 1;
+    const label below = label(findLower(x, a, 0, lessEqOp<scalar>()));
+    const label k = min(last - 1, max(label(0), below));
+    return y[k] + (a - x[k]) / (x[k + 1] - x[k]) * (y[k + 1] - y[k]);
+}
+
+} // namespace
+
+
+scalar runoutPath::distance(const scalar s) const
+{
+    return polygonAt(plan_, distance_, s);
+}
+
+
+scalar runoutPath::planAt(const scalar distance) const
+{
+    return polygonAt(distance_, plan_, distance);
+}
+
+
+point runoutPath::position(const scalar s) const
+{
+    return polygonAt(plan_, points_, s);
+}
+
+
+scalar runoutPath::project(const point& x) const
+{
+    const label last = points_.size() - 1;
+    scalar nearest = GREAT, result = 0;
+    for (label k = 0; k < last; ++k)
+    {
+        const point& a = points_[k];
+        const point& b = points_[k + 1];
+        const scalar step = plan_[k + 1] - plan_[k];
+        // Position along the step, in steps
+        scalar t = ((x.x() - a.x()) * (b.x() - a.x())
+                    + (x.y() - a.y()) * (b.y() - a.y()))
+                 / sqr(step);
+        t = k > 0 ? max(scalar(0), t) : t;
+        t = k < last - 1 ? min(scalar(1), t) : t;
+        const scalar d = planDistance(x, a + t * (b - a));
+        if (d < nearest)
+        {
+            nearest = d;
+            result = plan_[k] + t * step;
+        }
+    }
+    return result;
+}
+
+
+scalar runoutPath::front(
+    const planGrid& grid, const scalarField& thickness, const scalar limit
+) const
+{
+    const scalar step = 0.25 * min(grid.dx, grid.dy);
+    const label n = max(label(1), label(std::ceil(planLength() / step)));
+    scalar ahead = 0;
+    for (label k = n; k >= 0; --k)
+    {
+        const scalar s = planLength() * scalar(k) / scalar(n);
+        const point x = position(s);
+        const scalar here = interpolate(grid, thickness, x.x(), x.y());
+        if (here > limit)
+        {
+            const scalar part =
+                k < n ? (here - limit) / (here - ahead) : scalar(0);
+            return distance(s + part * planLength() / scalar(n));
+        }
+        ahead = here;
+    }
+    return noValue;
+}
+
+
+scalarField runoutPath::massFronts(
+    const vectorField& x, const scalarField& mass, const scalarField& shares
+) const
+{
+    scalarField s(x.size());
+    forAll (x, i)
+    {
+        s[i] = project(x[i]);
+    }
+    const labelList order(sortedOrder(s));
+    const scalar total = sum(mass);
+
+    scalarField fronts(shares.size(), noValue);
+    forAll (shares, f)
+    {
+        scalar behind = 0;
+        for (const label i : order)
+        {
+            behind += mass[i];
+            if (behind >= shares[f] * total)
+            {
+                fronts[f] = distance(s[i]);
+                break;
+            }
+        }
+    }
+    return fronts;
+}
+
+} // namespace lpf
+} // namespace Foam

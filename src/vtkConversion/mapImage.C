@@ -1,0 +1,602 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mapImage.H"
+
+#include "axisTicks.H"
+#include "DynamicList.H"
+#include "error.H"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFlyingEdges2D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// Sizes in pixels
+constexpr scalar leftMargin = 150;
+constexpr scalar rightMargin = 40;
+constexpr scalar topMargin = 90;
+constexpr scalar bottomMargin = 90; // tick labels and name of the axis
+constexpr scalar panelWidth = 420;
+constexpr scalar captionLine = 34;
+constexpr scalar largestMapHeight = 1500;
+
+const colour dark{0.1, 0.1, 0.1};
+
+//- Light on level ground
+constexpr scalar levelShade = 0.86;
+
+
+//- Where things are: frame of the map, panel of the keys
+struct layout
+{
+    label width, height;
+    scalar x0, y0, x1, y1; // frame of the map
+    scalar scale;          // pixels per metre
+    scalar panelX, panelTop;
+    scalar barHeight;
+    bool panelBelow;
+};
+
+layout arrange(const mapContent& map, const label width)
+{
+    const scalar mapWidth = scalar(map.nx) * map.dx;
+    const scalar mapHeight = scalar(map.ny) * map.dy;
+    layout at;
+    at.panelBelow = mapWidth > 1.8 * mapHeight;
+    const scalar beside = at.panelBelow ? rightMargin : panelWidth;
+    const scalar wide = scalar(width) - leftMargin - beside;
+    at.scale = min(wide / mapWidth, largestMapHeight / mapHeight);
+
+    const scalar h = at.scale * mapHeight;
+    at.barHeight =
+        at.panelBelow ? 170 : max(scalar(170), min(scalar(420), h - 480));
+    // Beside the map the panel needs its own height
+    const scalar body =
+        at.panelBelow ? h : max(h, at.barHeight + 480 - bottomMargin);
+    const scalar below = bottomMargin + (at.panelBelow ? 250 : 0)
+                       + captionLine * scalar(map.caption.size()) + 25;
+
+    at.x0 = leftMargin;
+    at.x1 = at.x0 + at.scale * mapWidth;
+    at.width = label(max(at.x1 + beside, scalar(900)));
+    at.height = label(topMargin + body + below);
+    at.y1 = scalar(at.height) - topMargin;
+    at.y0 = at.y1 - h;
+    at.panelX = at.panelBelow ? at.x0 : at.x1 + 45;
+    at.panelTop = at.panelBelow ? at.y0 - bottomMargin - 20 : at.y1;
+    return at;
+}
+
+
+//- Light on each cell from the gradient of the ground, as a shade of grey
+scalarField relief(const mapContent& map)
+{
+    scalarField shade(map.nx * map.ny, scalar(1));
+    const auto z = [&](const label i, const label j, const scalar deflt)
+    {
+        const label c = min(max(i, label(0)), map.nx - 1)
+                      + map.nx * min(max(j, label(0)), map.ny - 1);
+        return map.ground[c] > map.noGround ? map.ground[c] : deflt;
+    };
+    // Cells between the two neighbours, one of which is missing at an edge
+    const auto span = [](const label k, const label n)
+    { return scalar(k > 0 && k < n - 1 ? 2 : 1); };
+    // Unit vector to the sun: north-west, 45 degrees high
+    const vector sun(-0.5, 0.5, std::sqrt(0.5));
+    for (label j = 0; j < map.ny; ++j)
+    {
+        for (label i = 0; i < map.nx; ++i)
+        {
+            const scalar here = map.ground[i + map.nx * j];
+            if (here > map.noGround)
+            {
+                const vector normal(
+                    -(z(i + 1, j, here) - z(i - 1, j, here)) / span(i, map.nx)
+                        / map.dx,
+                    -(z(i, j + 1, here) - z(i, j - 1, here)) / span(j, map.ny)
+                        / map.dy,
+                    1
+                );
+                const scalar light = (normal & sun) / mag(normal);
+                shade[i + map.nx * j] = std::clamp(
+                    levelShade + 0.55 * (light - sun.z()), 0.35, 1.0
+                );
+            }
+        }
+    }
+    return shade;
+}
+
+
+//- Bilinear value of cells at a position in units of cells between centres
+scalar at(const mapContent& map, const scalarField& f, scalar p, scalar q)
+{
+    p = std::clamp(p, scalar(0), scalar(map.nx - 1));
+    q = std::clamp(q, scalar(0), scalar(map.ny - 1));
+    const label i = min(label(p), max(map.nx - 2, label(0)));
+    const label j = min(label(q), max(map.ny - 2, label(0)));
+    const label right = map.nx > 1 ? 1 : 0, up = map.ny > 1 ? map.nx : 0;
+    const label c = i + map.nx * j;
+    const scalar a = p - scalar(i), b = q - scalar(j);
+    return (1 - b) * ((1 - a) * f[c] + a * f[c + right])
+         + b * ((1 - a) * f[c + up] + a * f[c + up + right]);
+}
+
+
+void paintCells(
+    painter& picture,
+    const mapContent& map,
+    const layout& place,
+    const scalar top
+)
+{
+    const scalarField shade(relief(map));
+    for (label y = label(place.y0); y < label(place.y1) + 1; ++y)
+    {
+        for (label x = label(place.x0); x < label(place.x1) + 1; ++x)
+        {
+            const scalar p =
+                (scalar(x) + 0.5 - place.x0) / (place.scale * map.dx) - 0.5;
+            const scalar q =
+                (scalar(y) + 0.5 - place.y0) / (place.scale * map.dy) - 0.5;
+            const scalar grey = at(map, shade, p, q);
+            const scalar value = at(map, map.value, p, q);
+            colour ink{grey, grey, grey};
+            if (value > map.valueFrom)
+            {
+                // A tenth of the relief shows through, the colour stays that
+                // of the bar
+                const scalar light = min(1.0, 1 + 0.2 * (grey - levelShade));
+                const colour c = viridis(value / top);
+                ink = {light * c.r, light * c.g, light * c.b};
+            }
+            picture.blend(x, y, ink, 1);
+        }
+    }
+}
+
+
+//- Contours of the ground through VTK; pairs of points, world coordinates
+List<pointField> groundContours(const mapContent& map, const scalar interval)
+{
+    scalar low = VGREAT, high = -VGREAT;
+    for (const scalar z : map.ground)
+    {
+        if (z > map.noGround)
+        {
+            low = min(low, z);
+            high = max(high, z);
+        }
+    }
+    if (map.nx < 2 || map.ny < 2 || high < low)
+    {
+        return {};
+    }
+    // Where there is no ground: the lowest, and what is drawn there is cut
+    vtkNew<vtkDoubleArray> values;
+    for (const scalar z : map.ground)
+    {
+        values->InsertNextValue(z > map.noGround ? z : low);
+    }
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(int(map.nx), int(map.ny), 1);
+    image->GetPointData()->SetScalars(values);
+    vtkNew<vtkFlyingEdges2D> edges;
+    edges->SetInputData(image);
+    const scalarField levels(ticks(low, high, interval));
+    forAll (levels, k)
+    {
+        edges->SetValue(int(k), levels[k]);
+    }
+    edges->Update();
+
+    const auto isGround = [&](const scalar p, const scalar q)
+    {
+        const label i = label(p), j = label(q);
+        const label i1 = min(i + 1, map.nx - 1), j1 = min(j + 1, map.ny - 1);
+        return map.ground[i + map.nx * j] > map.noGround
+            && map.ground[i1 + map.nx * j] > map.noGround
+            && map.ground[i + map.nx * j1] > map.noGround
+            && map.ground[i1 + map.nx * j1] > map.noGround;
+    };
+    vtkPolyData* result = edges->GetOutput();
+    vtkNew<vtkIdList> ids;
+    DynamicList<pointField> segments;
+    auto* cells = result->GetLines();
+    for (cells->InitTraversal(); cells->GetNextCell(ids);)
+    {
+        pointField segment(2);
+        bool known = true;
+        for (label k = 0; k < 2; ++k)
+        {
+            const double* p = result->GetPoint(ids->GetId(k));
+            known = known && isGround(p[0], p[1]);
+            segment[k] = point(
+                map.x0 + (p[0] + 0.5) * map.dx,
+                map.y0 + (p[1] + 0.5) * map.dy,
+                0
+            );
+        }
+        if (known)
+        {
+            segments.append(segment);
+        }
+    }
+    return List<pointField>(std::move(segments));
+}
+
+
+//- World coordinates to pixels
+pointField
+pixels(const mapContent& map, const layout& place, const pointField& line)
+{
+    pointField result(line.size());
+    forAll (line, k)
+    {
+        result[k] = point(
+            place.x0 + place.scale * (line[k].x() - map.x0),
+            place.y0 + place.scale * (line[k].y() - map.y0),
+            0
+        );
+    }
+    return result;
+}
+
+
+//- Round interval between contours of the ground, about 25 of them; 0: level
+scalar contourInterval(const mapContent& map)
+{
+    scalar low = VGREAT, high = -VGREAT;
+    for (const scalar z : map.ground)
+    {
+        if (z > map.noGround)
+        {
+            low = min(low, z);
+            high = max(high, z);
+        }
+    }
+    const scalar smallest = 1e-3 * scalar(map.nx) * map.dx;
+    return high - low > smallest ? roundStep(high - low, 25) : 0;
+}
+
+
+void paintLines(painter& picture, const mapContent& map, const layout& place)
+{
+    picture.clip(
+        label(place.x0),
+        label(place.y0),
+        label(place.x1) + 1,
+        label(place.y1) + 1
+    );
+    const scalar interval = contourInterval(map);
+    if (interval > 0)
+    {
+        for (const pointField& line : groundContours(map, interval))
+        {
+            picture.line(pixels(map, place, line), {{0.45, 0.38, 0.3}, 1.1, 0});
+        }
+    }
+    for (const mapLines& kind : map.lines)
+    {
+        for (const pointField& line : kind.lines)
+        {
+            const pointField p(pixels(map, place, line));
+            if (kind.style.dash <= 0)
+            {
+                // A light edge keeps the line apart from any ground
+                picture.line(p, {{1, 1, 1}, kind.style.width + 2.5, 0});
+            }
+            picture.line(p, kind.style);
+        }
+    }
+    picture.clipNothing();
+}
+
+
+void paintFrame(painter& picture, const mapContent& map, const layout& place)
+{
+    const pointField frame({
+        point(place.x0, place.y0, 0),
+        point(place.x1, place.y0, 0),
+        point(place.x1, place.y1, 0),
+        point(place.x0, place.y1, 0),
+        point(place.x0, place.y0, 0),
+    });
+    picture.line(frame, {dark, 2, 0});
+
+    const textStyle labels{20, dark, anchor::centre, false, false};
+    const scalar width = scalar(map.nx) * map.dx;
+    const scalar height = scalar(map.ny) * map.dy;
+    // A label every 160 pixels leaves room for seven digits
+    const scalar step = roundStep(
+        max(width, height),
+        max(label(2), label(place.scale * max(width, height) / 160))
+    );
+    for (const scalar x : ticks(map.x0, map.x0 + width, step))
+    {
+        const scalar p = place.x0 + place.scale * (x - map.x0);
+        picture.line(
+            pointField({point(p, place.y0, 0), point(p, place.y0 - 9, 0)}),
+            {dark, 2, 0}
+        );
+        picture.text(p, place.y0 - 26, tickLabel(x, step), labels);
+    }
+    textStyle side = labels;
+    side.at = anchor::right;
+    // The same step on both axes, unless that leaves the short one bare
+    const bool isBare = ticks(map.y0, map.y0 + height, step).size() < 2;
+    const scalar yStep =
+        isBare
+            ? roundStep(height, max(label(2), label(place.scale * height / 70)))
+            : step;
+    for (const scalar y : ticks(map.y0, map.y0 + height, yStep))
+    {
+        const scalar p = place.y0 + place.scale * (y - map.y0);
+        picture.line(
+            pointField({point(place.x0, p, 0), point(place.x0 - 9, p, 0)}),
+            {dark, 2, 0}
+        );
+        picture.text(place.x0 - 15, p, tickLabel(y, yStep), side);
+    }
+
+    const bool local = map.crs.empty();
+    textStyle axes{22, dark, anchor::centre, false, false};
+    picture.text(
+        0.5 * (place.x0 + place.x1),
+        place.y0 - 58,
+        local ? string("x [m]") : "East [m]   (" + map.crs + ")",
+        axes
+    );
+    axes.upright = true;
+    picture.text(
+        24, 0.5 * (place.y0 + place.y1), local ? "y [m]" : "North [m]", axes
+    );
+}
+
+
+void paintColourBar(
+    painter& picture,
+    const mapContent& map,
+    const layout& place,
+    const scalar top
+)
+{
+    const scalar x0 = place.panelX, x1 = x0 + 36;
+    const scalar y1 = place.panelTop - 45, y0 = y1 - place.barHeight;
+    picture.text(
+        x0,
+        place.panelTop - 14,
+        map.valueTitle,
+        {22, dark, anchor::left, true, false}
+    );
+    for (label y = label(y0); y < label(y1); ++y)
+    {
+        const scalar part = (scalar(y) + 0.5 - y0) / (y1 - y0);
+        picture.fillRectangle(x0, scalar(y), x1, scalar(y) + 1, viridis(part));
+    }
+    picture.line(
+        pointField({
+            point(x0, y0, 0),
+            point(x1, y0, 0),
+            point(x1, y1, 0),
+            point(x0, y1, 0),
+            point(x0, y0, 0),
+        }),
+        {dark, 1.5, 0}
+    );
+    const scalar step = roundStep(top, label(place.barHeight / 45));
+    for (const scalar v : ticks(0, top, step))
+    {
+        const scalar y = y0 + v / top * (y1 - y0);
+        picture.line(
+            pointField({point(x1, y, 0), point(x1 + 8, y, 0)}), {dark, 1.5, 0}
+        );
+        picture.text(
+            x1 + 14,
+            y,
+            tickLabel(v, step),
+            {20, dark, anchor::left, false, false}
+        );
+    }
+}
+
+
+//- Names of the lines; returns where the next block may start
+scalar
+paintKey(painter& picture, const mapContent& map, const scalar x, scalar y)
+{
+    const auto entry = [&](const lineStyle& style, const string& name)
+    {
+        picture.line(pointField({point(x, y, 0), point(x + 50, y, 0)}), style);
+        picture.text(x + 62, y, name, {20, dark, anchor::left, false, false});
+        y -= 32;
+    };
+    for (const mapLines& kind : map.lines)
+    {
+        entry(kind.style, kind.name);
+    }
+    const scalar interval = contourInterval(map);
+    if (interval > 0)
+    {
+        entry(
+            {{0.45, 0.38, 0.3}, 1.1, 0},
+            "ground, every " + tickLabel(interval, interval) + " m"
+        );
+    }
+    return y;
+}
+
+
+void paintScaleBar(
+    painter& picture, const layout& place, const scalar x, const scalar y
+)
+{
+    const scalar length = roundBelow(260 / place.scale);
+    const scalar pixel = place.scale * length;
+    const label parts = 4;
+    for (label k = 0; k < parts; ++k)
+    {
+        const scalar a = x + pixel * scalar(k) / parts;
+        const scalar b = x + pixel * scalar(k + 1) / parts;
+        picture.fillRectangle(a, y, b, y + 12, k % 2 ? colour{1, 1, 1} : dark);
+    }
+    picture.line(
+        pointField({
+            point(x, y, 0),
+            point(x + pixel, y, 0),
+            point(x + pixel, y + 12, 0),
+            point(x, y + 12, 0),
+            point(x, y, 0),
+        }),
+        {dark, 1.5, 0}
+    );
+    const textStyle style{20, dark, anchor::centre, false, false};
+    const bool inKilometres = length >= 1000;
+    picture.text(x, y - 16, "0", style);
+    picture.text(
+        x + pixel,
+        y - 16,
+        inKilometres ? tickLabel(length / 1000, 1) + " km"
+                     : tickLabel(length, length) + " m",
+        style
+    );
+}
+
+
+void paintArrow(
+    painter& picture, const mapContent& map, const scalar x, const scalar y
+)
+{
+    const scalar h = 62;
+    picture.fillPolygon(
+        pointField({
+            point(x, y + h, 0),
+            point(x - 16, y, 0),
+            point(x, y + 14, 0),
+            point(x + 16, y, 0),
+        }),
+        dark
+    );
+    picture.text(
+        x,
+        y + h + 16,
+        map.crs.empty() ? "y" : "N",
+        {24, dark, anchor::centre, true, false}
+    );
+}
+
+
+void paintPanel(
+    painter& picture,
+    const mapContent& map,
+    const layout& place,
+    const scalar top
+)
+{
+    paintColourBar(picture, map, place, top);
+    if (place.panelBelow)
+    {
+        const scalar y = place.panelTop - 45;
+        const scalar third = max(scalar(330), (place.x1 - place.x0) / 3);
+        paintKey(picture, map, place.x0 + third, y);
+        paintScaleBar(picture, place, place.x0 + 2 * third, y - 40);
+        paintArrow(picture, map, place.x0 + 2 * third + 20, y - 160);
+        return;
+    }
+    const scalar x = place.panelX;
+    const scalar y =
+        paintKey(picture, map, x, place.panelTop - 45 - place.barHeight - 50);
+    paintScaleBar(picture, place, x, y - 40);
+    paintArrow(picture, map, x + 20, y - 180);
+}
+
+} // namespace
+
+
+colour viridis(const scalar part)
+{
+    // Every sixteenth of the table of matplotlib (CC0)
+    static const colour table[] = {
+        {0.267004, 0.004874, 0.329415},
+        {0.282327, 0.094955, 0.417331},
+        {0.278826, 0.175490, 0.483397},
+        {0.258965, 0.251537, 0.524736},
+        {0.229739, 0.322361, 0.545706},
+        {0.199430, 0.387607, 0.554642},
+        {0.172719, 0.448791, 0.557885},
+        {0.149039, 0.508051, 0.557250},
+        {0.127568, 0.566949, 0.550556},
+        {0.120638, 0.625828, 0.533488},
+        {0.157851, 0.683765, 0.501686},
+        {0.246070, 0.738910, 0.452024},
+        {0.369214, 0.788888, 0.382914},
+        {0.515992, 0.831158, 0.294279},
+        {0.678489, 0.863742, 0.189503},
+        {0.845561, 0.887322, 0.099702},
+        {0.993248, 0.906157, 0.143936}};
+    const scalar p = 16 * std::clamp(part, scalar(0), scalar(1));
+    const label k = min(label(p), label(15));
+    const scalar a = p - scalar(k);
+    const colour &c = table[k], &d = table[k + 1];
+    return {
+        (1 - a) * c.r + a * d.r,
+        (1 - a) * c.g + a * d.g,
+        (1 - a) * c.b + a * d.b};
+}
+
+
+void writeMap(const fileName& file, const mapContent& map, const label width)
+{
+    const label n = map.nx * map.ny;
+    if (map.ground.size() != n || map.value.size() != n || n < 1)
+    {
+        FatalErrorInFunction << "ground and value need " << n
+                             << " cells, they have " << map.ground.size()
+                             << " and " << map.value.size() << exit(FatalError);
+    }
+    const layout place = arrange(map, width);
+    painter picture(place.width, place.height);
+
+    // Top of the colour bar: a round number just above the largest value
+    const scalar largest = max(max(map.value), VSMALL);
+    const scalar step = roundStep(largest, 10);
+    const scalar top =
+        largest > VSMALL ? step * std::ceil(largest / step - 1e-9) : 1;
+
+    paintCells(picture, map, place, top);
+    paintLines(picture, map, place);
+    paintFrame(picture, map, place);
+    paintPanel(picture, map, place, top);
+    picture.text(
+        place.x0,
+        place.y1 + 45,
+        map.title,
+        {30, dark, anchor::left, true, false}
+    );
+    forAll (map.caption, k)
+    {
+        picture.text(
+            place.x0,
+            25 + captionLine * (scalar(map.caption.size() - k) - 0.5),
+            map.caption[k],
+            {21, dark, anchor::left, false, false}
+        );
+    }
+    picture.write(file);
+}
+
+} // namespace lpf
+} // namespace Foam
