@@ -30,10 +30,10 @@ void writeFields(
     {
         if (fields[name].size() != size)
         {
-            FatalErrorInFunction
-                << "Field " << name << " has " << fields[name].size()
-                << " values for " << size << " particles of " << dir
-                << abort(FatalError);
+            FatalErrorInFunction << "Field " << name << " has "
+                                 << fields[name].size() << " values for "
+                                 << size << " particles of " << dir
+                                 << abort(FatalError);
         }
         lpf::writeList(dir / name, className, fields[name], format);
     }
@@ -52,8 +52,10 @@ void readField(
     if (values.size() != size)
     {
         file.damaged(
-            "it has " + Foam::name(values.size()) + " values but positions "
-            "beside it has " + Foam::name(size),
+            "it has " + Foam::name(values.size())
+                + " values but positions "
+                  "beside it has "
+                + Foam::name(size),
             nullptr
         );
     }
@@ -64,9 +66,7 @@ void readField(
 //- What Cloud<passiveParticle> of 1912 needs to look for `positions`
 //  instead of `coordinates`
 void writeCloudProperties(
-    const fileName& timeDir,
-    const word& cloud,
-    const label size
+    const fileName& timeDir, const word& cloud, const label size
 )
 {
     const fileName dir(timeDir / "uniform" / "lagrangian" / cloud);

@@ -39,10 +39,7 @@ class scanner
         verbatim
     } state_ = state::plain;
 
-    bool sees(const char* two) const
-    {
-        return text_.compare(at_, 2, two) == 0;
-    }
+    bool sees(const char* two) const { return text_.compare(at_, 2, two) == 0; }
 
     //- Characters that belong to the step from plain text into `to`
     std::size_t enter(state to, std::size_t width)
@@ -54,14 +51,8 @@ class scanner
 public:
     explicit scanner(const std::string& text) : text_(text) {}
 
-    bool end() const
-    {
-        return at_ >= text_.size();
-    }
-    std::size_t at() const
-    {
-        return at_;
-    }
+    bool end() const { return at_ >= text_.size(); }
+    std::size_t at() const { return at_; }
     bool inComment() const
     {
         return state_ == state::lineComment || state_ == state::blockComment;
@@ -76,23 +67,24 @@ public:
     {
         switch (state_)
         {
-            case state::plain:
-                return sees("//")       ? enter(state::lineComment, 2)
-                       : sees("/*")     ? enter(state::blockComment, 2)
-                       : sees("#{")     ? enter(state::verbatim, 2)
-                       : text_[at_] == '"' ? enter(state::string, 1)
-                                           : 1;
-            case state::string:
-                return text_[at_] == '\\' ? 2 : 1;
-            default:
-                return sees("*/") || sees("#}") ? 2 : 1;
+        case state::plain:
+            return sees("//")        ? enter(state::lineComment, 2)
+                 : sees("/*")        ? enter(state::blockComment, 2)
+                 : sees("#{")        ? enter(state::verbatim, 2)
+                 : text_[at_] == '"' ? enter(state::string, 1)
+                                     : 1;
+        case state::string:
+            return text_[at_] == '\\' ? 2 : 1;
+        default:
+            return sees("*/") || sees("#}") ? 2 : 1;
         }
     }
 
     //- Go past a piece
     void pass(std::size_t width, bool opened)
     {
-        const bool closed = !opened
+        const bool closed =
+            !opened
             && ((state_ == state::lineComment && text_[at_] == '\n')
                 || (state_ == state::blockComment && sees("*/"))
                 || (state_ == state::verbatim && sees("#}"))
@@ -117,8 +109,8 @@ Foam::lpf::withoutComments(const std::string& text, const quoted strings)
     {
         const bool wasPlain = !scan.inComment() && !scan.inString();
         const std::size_t width = scan.piece();
-        const bool blank = scan.inComment()
-            || (scan.inString() && strings == quoted::blank);
+        const bool blank =
+            scan.inComment() || (scan.inString() && strings == quoted::blank);
         for (std::size_t i = 0; blank && i < width; ++i)
         {
             char& c = result[std::min(scan.at() + i, text.size() - 1)];
@@ -142,8 +134,8 @@ void Foam::lpf::checkBrackets(const fileName& file)
     label line = 1;
     const auto stop = [&](const label at, const std::string& message)
     {
-        FatalIOError("", "", 0, file, at, -1) << message.c_str()
-                                              << exit(FatalIOError);
+        FatalIOError("", "", 0, file, at, -1)
+            << message.c_str() << exit(FatalIOError);
     };
     for (std::size_t i = 0; i < text.size(); ++i)
     {
@@ -158,23 +150,36 @@ void Foam::lpf::checkBrackets(const fileName& file)
         {
             if (open.empty())
             {
-                stop(line, std::string("'") + c + "' closes nothing: remove "
-                     "it, or write the bracket that it is to close");
+                stop(
+                    line,
+                    std::string("'") + c
+                        + "' closes nothing: remove "
+                          "it, or write the bracket that it is to close"
+                );
             }
             if (open.back().closing != c)
             {
-                stop(line, std::string("'") + c + "' found where '"
-                     + open.back().closing + "' must close the bracket of "
-                     "line " + std::to_string(open.back().line)
-                     + ": write the missing '" + open.back().closing + "'");
+                stop(
+                    line,
+                    std::string("'") + c + "' found where '"
+                        + open.back().closing
+                        + "' must close the bracket of "
+                          "line "
+                        + std::to_string(open.back().line)
+                        + ": write the missing '" + open.back().closing + "'"
+                );
             }
             open.pop_back();
         }
     }
     if (!open.empty())
     {
-        stop(open.back().line, std::string("the bracket opened here is never "
-             "closed: write the missing '") + open.back().closing + "'");
+        stop(
+            open.back().line,
+            std::string("the bracket opened here is never "
+                        "closed: write the missing '")
+                + open.back().closing + "'"
+        );
     }
 }
 
@@ -212,19 +217,15 @@ void addMacros(const std::string& text, Foam::wordHashSet& names)
 
 
 void addMacrosOfFile(
-    const Foam::fileName& file,
-    Foam::wordHashSet& names,
-    const int depth
+    const Foam::fileName& file, Foam::wordHashSet& names, const int depth
 )
 {
     using namespace Foam;
 
-    const std::string text = lpf::withoutComments(
-        textOf(file), lpf::quoted::keep
-    );
+    const std::string text =
+        lpf::withoutComments(textOf(file), lpf::quoted::keep);
     addMacros(text, names);
-    for (auto at = text.find("#include");
-         depth < 10 && at != std::string::npos;
+    for (auto at = text.find("#include"); depth < 10 && at != std::string::npos;
          at = text.find("#include", at + 1))
     {
         const auto begin = text.find('"', at);

@@ -28,20 +28,20 @@ constexpr label nCorners = 12;
 
 // corners counter-clockwise as seen from outside of the cell that owns the
 // face; the first lies between the cells
-const label boxFaces[11][4]
-    = {{0, 3, 2, 1},
-       // cell 0
-       {4, 5, 6, 7},
-       {0, 1, 5, 4},
-       {1, 2, 6, 5},
-       {2, 3, 7, 6},
-       {3, 0, 4, 7},
-       // cell 1
-       {8, 11, 10, 9},
-       {8, 9, 1, 0},
-       {9, 10, 2, 1},
-       {10, 11, 3, 2},
-       {11, 8, 0, 3}};
+const label boxFaces[11][4] = {
+    {0, 3, 2, 1},
+    // cell 0
+    {4, 5, 6, 7},
+    {0, 1, 5, 4},
+    {1, 2, 6, 5},
+    {2, 3, 7, 6},
+    {3, 0, 4, 7},
+    // cell 1
+    {8, 11, 10, 9},
+    {8, 9, 1, 0},
+    {9, 10, 2, 1},
+    {10, 11, 3, 2},
+    {11, 8, 0, 3}};
 constexpr label nInternal = 1;
 constexpr label nCell0 = 5;
 constexpr label nCell1 = 5;
@@ -80,9 +80,7 @@ pointField corners(const boundBox& b)
 
 //- List of faces in the form of binary files: begins, then corners
 void writeFaces(
-    const fileName& dir,
-    const faceList& triangles,
-    const IOstreamOption& format
+    const fileName& dir, const faceList& triangles, const IOstreamOption& format
 )
 {
     const label nBox = nInternal + nCell0 + nCell1;
@@ -97,7 +95,7 @@ void writeFaces(
             labels[n++] = corner;
         }
     }
-    forAll(triangles, i)
+    forAll (triangles, i)
     {
         begins[nBox + i] = n;
         for (const label corner : triangles[i])
@@ -151,6 +149,37 @@ void writeBoundary(const fileName& dir, const label nTriangles)
     out.close();
 }
 
+
+//- foamToVTK and checkMesh stop without these, though they use neither
+void writeSystemFiles(const fileName& caseDir)
+{
+    const fileName dir(caseDir / "system");
+    mkDir(dir);
+    const string unused(
+        "// Not read by lpfSolver. OpenFOAM's foamToVTK and checkMesh ask for "
+        "this file\n\n"
+    );
+    const string schemes("ddtSchemes           {}\ngradSchemes          {}\n"
+                         "divSchemes           {}\nlaplacianSchemes     {}\n"
+                         "interpolationSchemes {}\nsnGradSchemes        {}\n");
+    for (const char* name : {"fvSchemes", "fvSolution"})
+    {
+        const fileName file(dir / name);
+        if (!isFile(file))
+        {
+            lpf::outputFile out(file, IOstreamOption());
+            lpf::writeFoamHeader(out.stream(), "dictionary", file);
+            out.stream() << unused.c_str();
+            if (word("fvSchemes") == name)
+            {
+                out.stream() << schemes.c_str();
+            }
+            IOobject::writeEndDivider(out.stream());
+            out.close();
+        }
+    }
+}
+
 } // namespace
 
 
@@ -179,12 +208,13 @@ void Foam::lpf::writeDisplayMesh(
         owner[i] = 0;
     }
     const string note(
-        "\"nPoints:" + Foam::name(points.size()) + "  nCells:2  nFaces:"
-        + Foam::name(owner.size()) + "  nInternalFaces:1\""
+        "nPoints:" + Foam::name(points.size()) + "  nCells:2  nFaces:"
+        + Foam::name(owner.size()) + "  nInternalFaces:1"
     );
     writeList<point>(dir / "points", "vectorField", points, format);
     writeFaces(dir, triangles, format);
     writeOwner(dir, "owner", owner, note, format);
     writeOwner(dir, "neighbour", labelList(nInternal, 1), note, format);
     writeBoundary(dir, triangles.size());
+    writeSystemFiles(caseDir);
 }

@@ -53,14 +53,14 @@ class textWriter
         // from 17 digits on, the shortest text that reads back to the same
         // bits says the same as all 17
         const auto end = precision_ >= 17
-            ? std::to_chars(digits, std::end(digits), x)
-            : std::to_chars(
-                digits,
-                std::end(digits),
-                x,
-                std::chars_format::general,
-                precision_
-            );
+                           ? std::to_chars(digits, std::end(digits), x)
+                           : std::to_chars(
+                               digits,
+                               std::end(digits),
+                               x,
+                               std::chars_format::general,
+                               precision_
+                           );
         text_.append(digits, end.ptr);
     }
     void add(const label i)
@@ -72,8 +72,9 @@ class textWriter
 
 public:
     explicit textWriter(OFstream& os)
-    : os_(os.stdStream()), precision_(os.precision())
-    {}
+        : os_(os.stdStream()), precision_(os.precision())
+    {
+    }
     ~textWriter()
     {
         os_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
@@ -111,18 +112,20 @@ public:
 //  folder has once it is complete
 fileName location(const fileName& file)
 {
-    for (const char* folder : {"/lagrangian/", "/uniform/", "/constant/"})
+    for (const char* folder :
+         {"/lagrangian/", "/uniform/", "/constant/", "/system/"})
     {
         const auto at = file.rfind(folder);
         if (at != std::string::npos && at > 0)
         {
-            const auto begin = std::strcmp(folder, "/constant/")
-                ? file.rfind('/', at - 1) + 1
-                : at + 1;
+            // the first two stand in a time folder, the others in the case
+            const bool inTime = folder[1] == 'l' || folder[1] == 'u';
+            const auto begin = inTime ? file.rfind('/', at - 1) + 1 : at + 1;
             std::string path(file, begin);
             const std::string hidden(".lpfWriting.");
-            path.erase(0, path.compare(0, hidden.size(), hidden) ? 0
-                                                                : hidden.size());
+            path.erase(
+                0, path.compare(0, hidden.size(), hidden) ? 0 : hidden.size()
+            );
             return fileName(path, false).path();
         }
     }
@@ -133,17 +136,13 @@ fileName location(const fileName& file)
 
 
 void Foam::lpf::writeFoamHeader(
-    Ostream& os,
-    const word& className,
-    const fileName& file,
-    const string& note
+    Ostream& os, const word& className, const fileName& file, const string& note
 )
 {
-    IOobject::writeBanner(os)
-        << "FoamFile\n{\n"
-        << "    version     " << os.version() << ";\n"
-        << "    format      " << os.format() << ";\n"
-        << "    class       " << className << ";\n";
+    IOobject::writeBanner(os) << "FoamFile\n{\n"
+                              << "    version     " << os.version() << ";\n"
+                              << "    format      " << os.format() << ";\n"
+                              << "    class       " << className << ";\n";
     // also in ascii: readers take the width of labels from it
     os << "    arch        " << foamVersion::buildArch << ";\n";
     if (!note.empty())
@@ -158,21 +157,20 @@ void Foam::lpf::writeFoamHeader(
 
 
 Foam::lpf::outputFile::outputFile(
-    const fileName& name,
-    const IOstreamOption& format
+    const fileName& name, const IOstreamOption& format
 )
-: name_(name),
-  os_(name,
-      format.format(),
-      IOstreamOption::currentVersion,
-      format.format() == IOstreamOption::BINARY ? IOstreamOption::UNCOMPRESSED
-                                                : format.compression())
+    : name_(name), os_(name,
+                       format.format(),
+                       IOstreamOption::currentVersion,
+                       format.format() == IOstreamOption::BINARY
+                           ? IOstreamOption::UNCOMPRESSED
+                           : format.compression())
 {
     if (!os_.good())
     {
-        FatalErrorInFunction
-            << "Cannot write " << name << nl
-            << "Check permissions and free space" << exit(FatalError);
+        FatalErrorInFunction << "Cannot write " << name << nl
+                             << "Check permissions and free space"
+                             << exit(FatalError);
     }
 }
 
@@ -208,8 +206,7 @@ void Foam::lpf::writeList(
         {
             os.write(
                 reinterpret_cast<const char*>(values.cdata()),
-                static_cast<std::streamsize>(sizeof(T))
-                    * values.size()
+                static_cast<std::streamsize>(sizeof(T)) * values.size()
             );
         }
     }
@@ -285,20 +282,17 @@ class textReader
 
 public:
     explicit textReader(const lpf::inputFile& file)
-    : file_(file),
-      at_(file.data.data()),
-      end_(file.data.data() + file.data.size())
-    {}
+        : file_(file), at_(file.data.data()),
+          end_(file.data.data() + file.data.size())
+    {
+    }
 
     [[noreturn]] void damaged(const string& why) const
     {
         file_.damaged(why, at_);
     }
 
-    std::size_t left() const
-    {
-        return static_cast<std::size_t>(end_ - at_);
-    }
+    std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
     //- Past white space and comments
     void passSpace()
@@ -359,8 +353,9 @@ public:
         if (n < 0 || static_cast<std::size_t>(n) > left() / bytesEach)
         {
             damaged(
-                "it says " + Foam::name(n) + " values but is too short for "
-                "them: was it truncated?"
+                "it says " + Foam::name(n)
+                + " values but is too short for "
+                  "them: was it truncated?"
             );
         }
         return n;
@@ -407,8 +402,10 @@ public:
             if (!std::isfinite(static_cast<scalar>(c[k])))
             {
                 file_.damaged(
-                    "value " + Foam::name(i) + " (counted from 0) is not a "
-                    "finite number: the run had gone wrong before it wrote",
+                    "value " + Foam::name(i)
+                        + " (counted from 0) is not a "
+                          "finite number: the run had gone wrong before it "
+                          "wrote",
                     nullptr
                 );
             }
@@ -456,7 +453,7 @@ Foam::lpf::inputFile::inputFile(const fileName& file) : name(file)
     {
         damaged(
             "it was written in binary with " + arch + " but this build has "
-            + foamVersion::buildArch + ": write it in ascii there",
+                + foamVersion::buildArch + ": write it in ascii there",
             nullptr
         );
     }
@@ -471,8 +468,8 @@ void Foam::lpf::inputFile::damaged(const string& why, const char* at) const
     if (at)
     {
         where = binary ? " (byte " : " (line ";
-        const auto n = binary ? at - data.data()
-                              : 1 + std::count(data.data(), at, '\n');
+        const auto n =
+            binary ? at - data.data() : 1 + std::count(data.data(), at, '\n');
         where += Foam::name(static_cast<label>(n)) + " behind the header)";
     }
     FatalIOError("", "", 0, name, -1, -1)
@@ -489,8 +486,8 @@ Foam::List<T> Foam::lpf::readList(const inputFile& file)
     textReader in(file);
     const bool raw = file.binary;
     const bool uniform = !raw && file.data.find('{') != std::string::npos;
-    const label n = uniform ? in.number<label>()
-                            : in.length(raw ? sizeof(T) : 2);
+    const label n =
+        uniform ? in.number<label>() : in.length(raw ? sizeof(T) : 2);
     List<T> values(max(n, label(0)));
     if (uniform) // 1000{0.5}
     {
@@ -513,7 +510,7 @@ Foam::List<T> Foam::lpf::readList(const inputFile& file)
         }
         in.need(')');
     }
-    forAll(values, i)
+    forAll (values, i)
     {
         in.checkFinite(values[i], i);
     }
@@ -528,7 +525,7 @@ Foam::List<Foam::vector> Foam::lpf::readPositions(const inputFile& file)
     const std::size_t width = sizeof(vector) + sizeof(label) + 2;
     List<vector> positions(in.length(file.binary ? width : 8));
     in.need('(');
-    forAll(positions, i)
+    forAll (positions, i)
     {
         label celli = 0;
         if (file.binary)
@@ -551,13 +548,10 @@ Foam::List<Foam::vector> Foam::lpf::readPositions(const inputFile& file)
 }
 
 
-#define makeLists(T)                                                          \
-    template void Foam::lpf::writeList(                                       \
-        const fileName&, const word&, const UList<T>&, const IOstreamOption&  \
-    );                                                                        \
+#define makeLists(T)                                                                     \
+    template void Foam::lpf::                                                            \
+        writeList(const fileName&, const word&, const UList<T>&, const IOstreamOption&); \
     template Foam::List<T> Foam::lpf::readList(const inputFile&);
 
-makeLists(Foam::label)
-makeLists(Foam::scalar)
-makeLists(Foam::vector)
-makeLists(Foam::symmTensor)
+makeLists(Foam::label) makeLists(Foam::scalar) makeLists(Foam::vector)
+    makeLists(Foam::symmTensor)

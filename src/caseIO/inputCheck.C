@@ -75,7 +75,7 @@ string written(const entry& e)
         return "a sub-dictionary";
     }
     OStringStream os;
-    forAll(e.stream(), i)
+    forAll (e.stream(), i)
     {
         os << (i ? " " : "") << e.stream()[i];
     }
@@ -124,13 +124,13 @@ label distance(const word& a, const word& b)
 
 string rule(const lpf::bounds& b)
 {
-    const string low = (b.lowerOpen ? "greater than " : "at least ")
-        + shown(b.lower);
-    const string high = (b.upperOpen ? "less than " : "at most ")
-        + shown(b.upper);
-    return b.lower <= -GREAT  ? high
-           : b.upper >= GREAT ? low
-                              : string(low + " and " + high);
+    const string low =
+        (b.lowerOpen ? "greater than " : "at least ") + shown(b.lower);
+    const string high =
+        (b.upperOpen ? "less than " : "at most ") + shown(b.upper);
+    return b.lower <= -GREAT ? high
+         : b.upper >= GREAT  ? low
+                             : string(low + " and " + high);
 }
 
 
@@ -151,18 +151,16 @@ class valueTokens
 
 public:
     valueTokens(const dictionary& dict, const entry& e)
-    : dict_(dict), entry_(e), tokens_(e.stream())
-    {}
+        : dict_(dict), entry_(e), tokens_(e.stream())
+    {
+    }
 
     [[noreturn]] void refuse(const string& why) const
     {
         lpf::refuse(dict_, entry_.keyword(), why);
     }
 
-    bool end() const
-    {
-        return at_ >= tokens_.size();
-    }
+    bool end() const { return at_ >= tokens_.size(); }
 
     //- Old form `key key [dims] value`: the name carries no information
     void passName()
@@ -208,8 +206,9 @@ public:
         if (!end())
         {
             refuse(
-                entry_.keyword() + " = " + written(entry_) + " goes on after "
-                "its value; is a ';' missing at the end of its line?"
+                entry_.keyword() + " = " + written(entry_)
+                + " goes on after "
+                  "its value; is a ';' missing at the end of its line?"
             );
         }
     }
@@ -217,8 +216,7 @@ public:
 
 
 void valueTokens::checkDimensions(
-    const dimensionSet& expected,
-    const string& example
+    const dimensionSet& expected, const string& example
 )
 {
     if (end() || tokens_[at_] != token::BEGIN_SQR)
@@ -239,8 +237,10 @@ void valueTokens::checkDimensions(
     if (!good || end() || (n != 5 && n != 7))
     {
         refuse(
-            entry_.keyword() + " = " + written(entry_) + ": units are written "
-            "as seven exponents of kg m s K mol A cd; write " + example
+            entry_.keyword() + " = " + written(entry_)
+            + ": units are written "
+              "as seven exponents of kg m s K mol A cd; write "
+            + example
         );
     }
     ++at_;
@@ -260,11 +260,8 @@ void valueTokens::checkDimensions(
 }
 
 
-const entry& found(
-    const dictionary& dict,
-    const word& key,
-    const string& example
-)
+const entry&
+found(const dictionary& dict, const word& key, const string& example)
 {
     // no patterns, no parents: an entry counts only where it is written
     const entry* e = dict.findEntry(key, keyType::LITERAL);
@@ -272,15 +269,18 @@ const entry& found(
     {
         const word near = lpf::nearestWord(key, dict.toc());
         lpf::refuse(
-            dict, key, key + " is missing; write " + example
-            + (near.empty() ? "" : ". Is '" + near + "' meant to be it?")
+            dict,
+            key,
+            key + " is missing; write " + example
+                + (near.empty() ? "" : ". Is '" + near + "' meant to be it?")
         );
     }
     if (e->isDict())
     {
         lpf::refuse(
-            dict, key, key + " is a sub-dictionary but must be a value; write "
-            + example
+            dict,
+            key,
+            key + " is a sub-dictionary but must be a value; write " + example
         );
     }
     return *e;
@@ -303,9 +303,7 @@ bool selected(const dictionary& dict, const word& model)
 
 //- Whether an entry is <Model>Coeffs of a valid model
 bool isCoeffs(
-    const dictionary& dict,
-    const word& keyword,
-    const wordList& coeffsOf
+    const dictionary& dict, const word& keyword, const wordList& coeffsOf
 )
 {
     for (const word& model : coeffsOf)
@@ -314,9 +312,8 @@ bool isCoeffs(
         {
             if (!selected(dict, model))
             {
-                Info<< keyword << " in " << dict.name()
-                    << " is not used: " << model << " is not selected"
-                    << endl;
+                Info << keyword << " in " << dict.name()
+                     << " is not used: " << model << " is not selected" << endl;
             }
             return true;
         }
@@ -328,9 +325,7 @@ bool isCoeffs(
 
 
 void Foam::lpf::refuse(
-    const dictionary& dict,
-    const word& key,
-    const string& message
+    const dictionary& dict, const word& key, const string& message
 )
 {
     const entry* e = dict.findEntry(key, keyType::LITERAL);
@@ -348,13 +343,11 @@ void Foam::lpf::refuse(
 }
 
 
-Foam::word
-Foam::lpf::nearestWord(const word& given, const wordList& valid)
+Foam::word Foam::lpf::nearestWord(const word& given, const wordList& valid)
 {
     word nearest;
-    label least = static_cast<label>(std::max<std::size_t>(
-        1, given.size() / 3
-    ));
+    label least =
+        static_cast<label>(std::max<std::size_t>(1, given.size() / 3));
     for (const word& w : valid)
     {
         const label d = distance(given, w);
@@ -392,16 +385,14 @@ Foam::dictionary Foam::lpf::readDictionary(const fileName& file)
 
 
 void Foam::lpf::allowOnly(
-    const dictionary& dict,
-    const wordList& valid,
-    const wordList& coeffsOf
+    const dictionary& dict, const wordList& valid, const wordList& coeffsOf
 )
 {
     for (const entry& e : dict)
     {
         const keyType& key = e.keyword();
         bool known = key == "FoamFile" || valid.found(key)
-            || isCoeffs(dict, key, coeffsOf);
+                  || isCoeffs(dict, key, coeffsOf);
         for (const word& w : valid)
         {
             known = known || (key.isPattern() && key.match(w));
@@ -417,9 +408,11 @@ void Foam::lpf::allowOnly(
         }
         const word near = nearestWord(key, all);
         refuse(
-            dict, key, "unknown keyword '" + key + "'"
-            + (near.empty() ? "" : ", do you mean '" + near + "'?")
-            + "\nValid here: " + listed(all)
+            dict,
+            key,
+            "unknown keyword '" + key + "'"
+                + (near.empty() ? "" : ", do you mean '" + near + "'?")
+                + "\nValid here: " + listed(all)
         );
     }
 }
@@ -428,16 +421,36 @@ void Foam::lpf::allowOnly(
 Foam::wordList Foam::lpf::controlDictKeywords()
 {
     return {
-        "application",      "solver",           "startFrom",
-        "startTime",        "stopAt",           "endTime",
-        "deltaT",           "writeControl",     "writeInterval",
-        "purgeWrite",       "writeFormat",      "writePrecision",
-        "writeCompression", "timeFormat",       "timePrecision",
-        "runTimeModifiable", "adjustTimeStep",  "maxCo",
-        "maxDeltaT",        "functions",        "libs",
-        "graphFormat",      "beginTime",        "regionNames",
-        "DebugSwitches",    "InfoSwitches",     "OptimisationSwitches",
-        "DimensionedConstants", "writeVersion", "printExecutionFormat"};
+        "application",
+        "solver",
+        "startFrom",
+        "startTime",
+        "stopAt",
+        "endTime",
+        "deltaT",
+        "writeControl",
+        "writeInterval",
+        "purgeWrite",
+        "writeFormat",
+        "writePrecision",
+        "writeCompression",
+        "timeFormat",
+        "timePrecision",
+        "runTimeModifiable",
+        "adjustTimeStep",
+        "maxCo",
+        "maxDeltaT",
+        "functions",
+        "libs",
+        "graphFormat",
+        "beginTime",
+        "regionNames",
+        "DebugSwitches",
+        "InfoSwitches",
+        "OptimisationSwitches",
+        "DimensionedConstants",
+        "writeVersion",
+        "printExecutionFormat"};
 }
 
 
@@ -450,13 +463,14 @@ Foam::scalar Foam::lpf::readNumber(
 {
     const bool bounded = allowed.lower > -GREAT || allowed.upper < GREAT;
     const bool hasUnits = !dims.dimensionless();
-    const string example
-        = key + (hasUnits ? " " + shown(dims) : string()) + " <number>;";
+    const string example =
+        key + (hasUnits ? " " + shown(dims) : string()) + " <number>;";
     const string reason = *allowed.reason ? string(": ") + allowed.reason : "";
 
     const entry& e = found(
-        dict, key, example + (bounded ? ", " + rule(allowed) : string())
-        + reason
+        dict,
+        key,
+        example + (bounded ? ", " + rule(allowed) : string()) + reason
     );
     valueTokens tokens(dict, e);
     tokens.passName();
@@ -466,7 +480,8 @@ Foam::scalar Foam::lpf::readNumber(
     if (!inside(allowed, x))
     {
         refuse(
-            dict, key,
+            dict,
+            key,
             key + " = " + shown(x) + " must be " + rule(allowed) + reason
         );
     }
@@ -483,20 +498,18 @@ Foam::scalar Foam::lpf::readNumber(
 )
 {
     return dict.found(key, keyType::LITERAL)
-        ? readNumber(dict, key, dims, allowed)
-        : deflt;
+             ? readNumber(dict, key, dims, allowed)
+             : deflt;
 }
 
 
 Foam::vector Foam::lpf::readVector(
-    const dictionary& dict,
-    const word& key,
-    const dimensionSet& dims
+    const dictionary& dict, const word& key, const dimensionSet& dims
 )
 {
     const bool hasUnits = !dims.dimensionless();
-    const string example = key + (hasUnits ? " " + shown(dims) : string())
-        + " (<x> <y> <z>);";
+    const string example =
+        key + (hasUnits ? " " + shown(dims) : string()) + " (<x> <y> <z>);";
     valueTokens tokens(dict, found(dict, key, example));
     tokens.passName();
     tokens.checkDimensions(dims, example);
@@ -525,31 +538,33 @@ Foam::vector Foam::lpf::readVector(
 
 
 Foam::word Foam::lpf::readChoice(
-    const dictionary& dict,
-    const word& key,
-    const wordList& choices
+    const dictionary& dict, const word& key, const wordList& choices
 )
 {
-    const entry& e = found(
-        dict, key, key + " followed by one of: " + listed(choices) + ";"
-    );
+    const entry& e =
+        found(dict, key, key + " followed by one of: " + listed(choices) + ";");
     const ITstream& tokens = e.stream();
     const bool isWord = tokens.size() && tokens[0].isWord();
     if (!isWord || !choices.found(tokens[0].wordToken()))
     {
-        const word near = isWord ? nearestWord(tokens[0].wordToken(), choices)
-                                 : word();
+        const word near =
+            isWord ? nearestWord(tokens[0].wordToken(), choices) : word();
         refuse(
-            dict, key, key + " = " + written(e) + " is not a valid choice"
-            + (near.empty() ? "" : ", do you mean '" + near + "'?")
-            + "\nValid choices: " + listed(choices)
+            dict,
+            key,
+            key + " = " + written(e) + " is not a valid choice"
+                + (near.empty() ? "" : ", do you mean '" + near + "'?")
+                + "\nValid choices: " + listed(choices)
         );
     }
     if (tokens.size() > 1)
     {
         refuse(
-            dict, key, key + " = " + written(e) + " goes on after its value; "
-            "is a ';' missing at the end of its line?"
+            dict,
+            key,
+            key + " = " + written(e)
+                + " goes on after its value; "
+                  "is a ';' missing at the end of its line?"
         );
     }
     return tokens[0].wordToken();
@@ -579,8 +594,11 @@ Foam::vector Foam::lpf::readGravity(const fileName& caseDir)
         || e->stream()[0] != token::BEGIN_SQR)
     {
         refuse(
-            dict, "dimensions", "dimensions is missing or no units; write "
-            "dimensions " + shown(dimAcceleration) + ";"
+            dict,
+            "dimensions",
+            "dimensions is missing or no units; write "
+            "dimensions "
+                + shown(dimAcceleration) + ";"
         );
     }
     valueTokens(dict, *e).checkDimensions(

@@ -35,7 +35,7 @@ labelList representatives(const pointField& points, const scalar width)
     const point origin = boundBox(points, false).min();
     std::vector<cell> cells(static_cast<std::size_t>(points.size()));
     std::vector<scalar> fromCentre(cells.size());
-    forAll(points, i)
+    forAll (points, i)
     {
         const auto k = static_cast<std::size_t>(i);
         scalar sum = 0;
@@ -50,15 +50,16 @@ labelList representatives(const pointField& points, const scalar width)
     std::vector<label> order(cells.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(
-        order.begin(), order.end(),
+        order.begin(),
+        order.end(),
         [&](const label a, const label b)
         {
             const auto i = static_cast<std::size_t>(a);
             const auto j = static_cast<std::size_t>(b);
             return cells[i] != cells[j] ? cells[i] < cells[j]
-                   : fromCentre[i] != fromCentre[j]
-                   ? fromCentre[i] < fromCentre[j]
-                   : a < b; // the same choice on every machine
+                 : fromCentre[i] != fromCentre[j]
+                     ? fromCentre[i] < fromCentre[j]
+                     : a < b; // the same choice on every machine
         }
     );
     labelList standsFor(points.size());
@@ -83,12 +84,14 @@ clustered(const faceList& triangles, const labelList& standsFor)
     std::vector<std::array<label, 3>> kept;
     for (const face& f : triangles)
     {
-        std::array<label, 3> t
-            = {standsFor[f[0]], standsFor[f[1]], standsFor[f[2]]};
+        std::array<label, 3> t = {
+            standsFor[f[0]], standsFor[f[1]], standsFor[f[2]]};
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
         {
             // smallest first, orientation kept: equal triangles look equal
-            std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+            std::rotate(
+                t.begin(), std::min_element(t.begin(), t.end()), t.end()
+            );
             kept.push_back(t);
         }
     }
@@ -109,13 +112,13 @@ void compact(
     pointField used(points.size());
     label n = 0;
     triangles.setSize(static_cast<label>(kept.size()));
-    forAll(triangles, i)
+    forAll (triangles, i)
     {
         face f(3);
         for (label k = 0; k < 3; ++k)
         {
-            const label old = kept[static_cast<std::size_t>(i)]
-                                  [static_cast<std::size_t>(k)];
+            const label old =
+                kept[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
             if (renumbered[old] < 0)
             {
                 renumbered[old] = n;
@@ -133,9 +136,7 @@ void compact(
 
 
 void Foam::lpf::decimate(
-    pointField& points,
-    faceList& triangles,
-    const label nMax
+    pointField& points, faceList& triangles, const label nMax
 )
 {
     if (triangles.size() <= nMax)
@@ -149,9 +150,8 @@ void Foam::lpf::decimate(
     {
         kept = clustered(triangles, representatives(points, width));
         // steep ground meets more cells than its area says
-        width *= std::max(
-            1.02, std::sqrt(static_cast<scalar>(kept.size()) / nMax)
-        );
+        width *=
+            std::max(1.02, std::sqrt(static_cast<scalar>(kept.size()) / nMax));
     } while (kept.size() > static_cast<std::size_t>(nMax));
     compact(points, triangles, kept);
 }

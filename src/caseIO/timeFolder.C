@@ -31,9 +31,9 @@ void toDisk(const fileName& path)
     ::close(descriptor);
     if (!good)
     {
-        FatalErrorInFunction
-            << "Cannot bring " << path << " to disk: "
-            << std::strerror(reason) << exit(FatalError);
+        FatalErrorInFunction << "Cannot bring " << path
+                             << " to disk: " << std::strerror(reason)
+                             << exit(FatalError);
     }
 }
 
@@ -68,27 +68,23 @@ void replace(const fileName& from, const fileName& to)
             const fileName old(to.path() / ".lpfReplaced." + to.name());
             rmDir(old, true);
             status = ::rename(to.c_str(), old.c_str())
-                || ::rename(from.c_str(), to.c_str());
+                  || ::rename(from.c_str(), to.c_str());
             rmDir(old, true);
         }
         rmDir(from, true);
     }
     if (status)
     {
-        FatalErrorInFunction << "Cannot rename " << from << " to " << to
-                             << ": " << std::strerror(errno)
-                             << exit(FatalError);
+        FatalErrorInFunction << "Cannot rename " << from << " to " << to << ": "
+                             << std::strerror(errno) << exit(FatalError);
     }
 }
 
 } // namespace
 
 
-Foam::lpf::timeFolder::timeFolder(
-    const fileName& caseDir,
-    const word& timeName
-)
-: final_(caseDir / timeName), path_(caseDir / hiddenPrefix + timeName)
+Foam::lpf::timeFolder::timeFolder(const fileName& caseDir, const word& timeName)
+    : final_(caseDir / timeName), path_(caseDir / hiddenPrefix + timeName)
 {
     if (isDir(path_))
     {

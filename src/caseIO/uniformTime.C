@@ -24,8 +24,7 @@ Foam::string exact(const Foam::scalar x)
 
 
 void Foam::lpf::writeUniformTime(
-    const fileName& timeDir,
-    const uniformTime& time
+    const fileName& timeDir, const uniformTime& time
 )
 {
     mkDir(timeDir / "uniform");
