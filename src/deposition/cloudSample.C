@@ -22,11 +22,12 @@ int horizontalAxis(const dictionary& dict, const vector& normal)
             return axis;
         }
     }
-    FatalIOErrorInFunction(dict)
-        << "planeNormal = " << normal << " is neither the x nor the y axis: "
-        << "a plan map needs cells that stand along the plane." << nl
-        << "Lay the plane of the scene along x or y." << exit(FatalIOError);
-    return -1;
+    refuse(
+        dict,
+        "planeNormal",
+        "planeNormal is neither the x nor the y axis: a plan map needs cells "
+        "that stand along the plane; lay the plane of the scene along x or y"
+    );
 }
 
 const scalarField&

@@ -111,7 +111,8 @@ class planBins
 
     static label slot(const scalar p, const label n)
     {
-        return max(label(0), min(n - 1, label(std::floor(p))));
+        // as numbers first: a reach may be too large for a label
+        return label(max(scalar(0), min(scalar(n - 1), p)));
     }
 
     label binOf(const point& x) const

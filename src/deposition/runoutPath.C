@@ -42,34 +42,31 @@ pointField stations(const pointField& vertices, const scalar step)
 
 
 runoutPath::runoutPath(
-    const word& name,
-    const pointField& vertices,
-    const pathLength length,
-    const ground& bed,
-    const scalar step
+    const pathLine& line, const ground& bed, const dictionary& context
 )
-    : name_(name), length_(length), points_(stations(vertices, step)),
+    : name_(line.name), length_(line.length),
+      points_(stations(line.vertices, line.step)),
       plan_(points_.size(), scalar(0)), distance_(points_.size(), scalar(0))
 {
     if (points_.size() < 2)
     {
-        FatalErrorInFunction << "path " << name
-                             << " has no two different points in plan"
-                             << exit(FatalError);
+        FatalIOErrorInFunction(context)
+            << "path " << name_ << " has no two different points in plan"
+            << exit(FatalIOError);
     }
-    forAll (points_, k)
+    for (point& x : points_)
     {
-        const groundHit hit = bed.elevation(points_[k].x(), points_[k].y());
-        if (!hit.found && length == pathLength::surface)
+        const groundHit hit = bed.elevation(x.x(), x.y());
+        if (!hit.found && length_ == pathLength::surface)
         {
-            FatalErrorInFunction
-                << "path " << name << " leaves the ground at local ("
-                << points_[k].x() << ' ' << points_[k].y()
+            FatalIOErrorInFunction(context)
+                << "path " << name_ << " leaves the ground at ("
+                << x.x() + bed.origin().x() << ' ' << x.y() + bed.origin().y()
                 << "): its length along the surface is not defined." << nl
-                << "End the path on the ground, or write `length plan;`"
-                << exit(FatalError);
+                << "End the path on the ground, or write pathLength plan;"
+                << exit(FatalIOError);
         }
-        points_[k].z() = hit.found ? hit.nearest.z() : 0;
+        x.z() = hit.found ? hit.nearest.z() : 0;
     }
     for (label k = 1; k < points_.size(); ++k)
     {
@@ -77,8 +74,8 @@ runoutPath::runoutPath(
         plan_[k] = plan_[k - 1] + planStep;
         distance_[k] =
             distance_[k - 1]
-            + (length == pathLength::plan ? planStep
-                                          : mag(points_[k] - points_[k - 1]));
+            + (length_ == pathLength::plan ? planStep
+                                           : mag(points_[k] - points_[k - 1]));
     }
 }
 

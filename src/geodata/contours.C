@@ -98,12 +98,12 @@ ring toRing(const OGRLinearRing& line)
 
 void collect(OGRLayer& layer, const scalar level, DynamicList<polygon>& into)
 {
-    // Areas come as ranges; the one that starts at the level is ours
-    const int lower = layer.GetLayerDefn()->GetFieldIndex("lower");
+    // Areas come as two ranges: up to the level, and from it to a large number
+    const int upper = layer.GetLayerDefn()->GetFieldIndex("upper");
     for (const auto& item : layer)
     {
         const OGRGeometry* shape = item->GetGeometryRef();
-        if (!shape || item->GetFieldAsDouble(lower) < level)
+        if (!shape || item->GetFieldAsDouble(upper) <= level)
         {
             continue;
         }

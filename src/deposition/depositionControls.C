@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depositionControls.H"
+
+#include "inputCheck.H"
+#include "point2D.H"
+
+#include <cmath>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// More cells than this do not fit on a screen, on paper or in a report
+constexpr scalar mostCells = 5e7;
+
+
+bounds above(const scalar lower, const char* reason)
+{
+    bounds allowed;
+    allowed.lower = lower;
+    allowed.lowerOpen = true;
+    allowed.reason = reason;
+    return allowed;
+}
+
+
+pathControls readPath(const dictionary& dict, const word& name)
+{
+    allowOnly(dict, {"points", "file", "where", "pathLength"});
+    pathControls path;
+    path.name = name;
+    path.length = readChoice(dict, "pathLength", {"plan", "surface"}) == "plan"
+                    ? pathLength::plan
+                    : pathLength::surface;
+    if (dict.found("points") == dict.found("file"))
+    {
+        refuse(
+            dict,
+            "points",
+            "path " + name + " needs either points or a file with one line; "
+                + "write points ((x y) (x y)); or file \"...\";"
+        );
+    }
+    if (dict.found("file"))
+    {
+        path.file = dict.get<fileName>("file");
+        path.where = dict.getOrDefault<string>("where", "");
+        return path;
+    }
+    const List<point2D> points(dict.get<List<point2D>>("points"));
+    if (points.size() < 2)
+    {
+        refuse(dict, "points", "path " + name + " needs at least two points");
+    }
+    path.points.resize(points.size());
+    forAll (points, k)
+    {
+        path.points[k] = point(points[k].x(), points[k].y(), 0);
+    }
+    return path;
+}
+
+
+observedControls readObserved(const dictionary& dict, const word& name)
+{
+    allowOnly(dict, {"file", "above", "compare"});
+    observedControls observed;
+    observed.name = name;
+    observed.file = dict.get<fileName>("file");
+    bounds any;
+    any.reason = "an area is observed where the raster exceeds it";
+    observed.above = readNumber(dict, "above", dimless, any, 0);
+    observed.compare = readChoice(
+        dict, "compare", {"thicknessVertical", "maxThicknessVertical"}
+    );
+    return observed;
+}
+
+
+//- A sub-dictionary that is empty when it is not there
+const dictionary& subOrEmpty(const dictionary& dict, const word& key)
+{
+    return dict.found(key) ? dict.subDict(key) : dictionary::null;
+}
+
+
+void readExtent(const dictionary& dict, depositionControls& controls)
+{
+    const List<point2D> corners(dict.get<List<point2D>>("extent"));
+    if (corners.size() != 2 || !(corners[0].x() < corners[1].x())
+        || !(corners[0].y() < corners[1].y()))
+    {
+        refuse(
+            dict,
+            "extent",
+            "extent must be the south-west and the north-east corner; write "
+            "extent ((xMin yMin) (xMax yMax));"
+        );
+    }
+    controls.hasExtent = true;
+    controls.extent = boundBox(
+        point(corners[0].x(), corners[0].y(), 0),
+        point(corners[1].x(), corners[1].y(), 0)
+    );
+}
+
+
+void readOutline(const dictionary& dict, depositionControls& controls)
+{
+    allowOnly(dict, {"above", "format"});
+    controls.outlineAbove = readNumber(
+        dict,
+        "above",
+        dimLength,
+        above(
+            0, "the outline is a line of equal thickness; at 0 there is none"
+        ),
+        0.5
+    );
+    controls.outlineFormat =
+        readChoice(dict, "format", {"gpkg", "geojson", "shp"}, "gpkg");
+}
+
+
+void readMap(
+    const dictionary& dict, const word& caseName, depositionControls& controls
+)
+{
+    allowOnly(dict, {"title", "width"});
+    controls.title = dict.getOrDefault<string>("title", caseName);
+    bounds width;
+    width.lower = 1000;
+    width.upper = 8000;
+    width.reason = "it is the width of the picture in pixels, with its legend";
+    controls.mapWidth = label(readNumber(dict, "width", dimless, width, 1800));
+}
+
+} // namespace
+
+
+depositionControls readDepositionControls(
+    const dictionary& dict, const releaseScales& scales, const word& caseName
+)
+{
+    allowOnly(
+        dict,
+        {"clouds",
+         "cellSize",
+         "extent",
+         "margin",
+         "outline",
+         "paths",
+         "observed",
+         "map"}
+    );
+    depositionControls controls;
+    controls.clouds = dict.getOrDefault<wordList>("clouds", {});
+    controls.cellSize = readNumber(
+        dict,
+        "cellSize",
+        dimLength,
+        above(0, "it is the side of a cell of the maps"),
+        scales.spacing
+    );
+    bounds margin = above(0, "it is the room around the particles");
+    margin.lowerOpen = false;
+    // Beyond 2 h no particle is felt
+    controls.margin = readNumber(
+        dict,
+        "margin",
+        dimLength,
+        margin,
+        2 * scales.smoothingLength + controls.cellSize
+    );
+    if (dict.found("extent"))
+    {
+        readExtent(dict, controls);
+    }
+    readOutline(subOrEmpty(dict, "outline"), controls);
+    readMap(subOrEmpty(dict, "map"), caseName, controls);
+
+    const dictionary& paths = subOrEmpty(dict, "paths");
+    for (const word& name : paths.toc())
+    {
+        controls.paths.append(readPath(paths.subDict(name), name));
+    }
+    const dictionary& observed = subOrEmpty(dict, "observed");
+    for (const word& name : observed.toc())
+    {
+        controls.observed.append(readObserved(observed.subDict(name), name));
+    }
+    return controls;
+}
+
+
+planGrid sampleGrid(
+    const depositionControls& controls,
+    const releaseScales& scales,
+    const boundBox& particles,
+    const point& origin
+)
+{
+    const vector room(controls.margin, controls.margin, 0);
+    const point low = controls.hasExtent ? controls.extent.min() - origin
+                                         : particles.min() - room;
+    const point high = controls.hasExtent ? controls.extent.max() - origin
+                                          : particles.max() + room;
+    const scalar cell = controls.cellSize;
+    const scalar wanted =
+        (high.x() - low.x()) / cell * (high.y() - low.y()) / cell;
+    if (!(wanted < mostCells))
+    {
+        FatalErrorInFunction
+            << "the map would need " << wanted << " cells of " << cell
+            << " m between " << low + origin << " and " << high + origin
+            << ", more than " << mostCells << '.' << nl
+            << "Did single grains run far away? Write an extent, or a larger "
+            << "cellSize." << exit(FatalError);
+    }
+    const auto start = [cell](const scalar x)
+    { return cell * std::floor(x / cell); };
+
+    planGrid grid;
+    grid.flat = scales.flat;
+    grid.x0 = start(low.x());
+    grid.y0 = start(low.y());
+    grid.dx = grid.dy = cell;
+    grid.nx = max(label(1), label(std::ceil((high.x() - grid.x0) / cell)));
+    grid.ny = max(label(1), label(std::ceil((high.y() - grid.y0) / cell)));
+    const point middle = 0.5 * (particles.min() + particles.max());
+    if (grid.flat == 0)
+    {
+        grid.nx = 1;
+        grid.dx = scales.planeThickness;
+        grid.x0 = middle.x() - 0.5 * grid.dx;
+    }
+    else if (grid.flat == 1)
+    {
+        grid.ny = 1;
+        grid.dy = scales.planeThickness;
+        grid.y0 = middle.y() - 0.5 * grid.dy;
+    }
+    return grid;
+}
+
+} // namespace lpf
+} // namespace Foam
