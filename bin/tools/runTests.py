@@ -185,9 +185,7 @@ class MessageTest(Test):
             lines.append(("ok - " if good else "not ok - ") + text)
 
         check(status == 1, f"exit status 1 (is {status})")
-        if plain:
-            check("--> FOAM FATAL" in flat, "--> FOAM FATAL ERROR")
-        else:
+        if not plain:
             check("--> FOAM FATAL IO ERROR" in flat, "--> FOAM FATAL IO ERROR")
             check(re.search(r"file: .+ (at line|from line) \d+", flat),
                   "names file and line")
