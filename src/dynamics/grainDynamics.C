@@ -161,6 +161,7 @@ void grainDynamics::volumes()
 
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
+    p.layerDepth = scene_.spacing;
     p.behind = contactShare * scene_.spacing;
     p.outOfSight = scene_.spacing;
     p.x = grains.x[0].data();
@@ -207,9 +208,9 @@ void grainDynamics::volumes()
 }
 
 // Near the ground the velocity field is continued behind each surface element
-// q by its mirror image, v - 2 (v.n_q) n_q at x - 2 d_q n_q, which makes the
-// gradient exact for linear fields that vanish along n on the ground:
-//     L = (R + 2 sum_q A W (v.n) n n) B,  B^-1 = M + 2 sum_q A W d n n  (T 4.3)
+// q by its mirror image, v - 2 (v.n_q) n_q, at the places of a lattice:
+//     L = (R + 2 sum_q A E (v.n) n n) B,  B^-1 = M + sum_q A D n n     (T 4.3)
+// A uniform stress then gives no force beside a plane.
 // Along a plane the tangential rows are taken from the grains alone,
 //     L_t = (I - n n) R B_p,  B_p^-1 = M,                              (T 4.4)
 // for the mirror would halve the shear of a layer that slides.
@@ -242,9 +243,7 @@ void grainDynamics::gradient()
                 const auto N3 = thirdMoment(wall);
                 const double* D = wall.D2;
                 const Symm B = momentInverse(
-                    M
-                    + Symm{2 * D[0], 2 * D[1], 2 * D[2], 2 * D[3], 2 * D[4],
-                           2 * D[5]}
+                    M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]}
                 );
                 const Symm Nv = N3 & vecAt(grains.U, i);
                 const Tens mirrored
@@ -274,7 +273,7 @@ void grainDynamics::gradient()
 
 // The adjoint of gradient():
 //     A = (I - P) sigma B + P sigma B_p                              (T 3.12)
-//     f_ground = - 2 V sum_q A W (n.(I - P) sigma B.n) n             (T 4.5)
+//     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
     ::lpf::forChunks(

@@ -70,8 +70,42 @@ inline void overPairs(
     }
 }
 
+//- Everything called for one particle is compiled into one loop body: packs
+//  that are passed to a function would go through memory
+#define LPF_ONE_BODY __attribute__((flatten, noinline))
+
 //- Lanes outside the support have x_ij up to two cells, inside a masked one
 //  anything: F = 0 there removes both, as long as x_ij is finite
+LPF_ONE_BODY void kinematicsOfParticle(
+    const kinematicsPass& p, const wendlandC2& W, const runs& around, int i
+)
+{
+    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
+    Kinematics<pack> total = {};
+
+    overPairs(
+        around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z, W.supportSqr(),
+        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {
+            addKinematics(
+                total, pack(load(p.V + j) * W.gradByDistance(rSqr)), x_ij,
+                v_i - loadVec(p.u, p.v, p.w, j)
+            );
+        }
+    );
+
+    const Vec<pack>* rows[3] = {&total.R.x, &total.R.y, &total.R.z};
+    for (int c = 0; c < 9; ++c)
+    {
+        p.R[c][i] = sum(*rows[c / 3], c % 3);
+    }
+    const pack* M = &total.M.xx;
+    for (int c = 0; c < 6; ++c)
+    {
+        p.M[c][i] = lpf::sum(M[c]);
+    }
+}
+
 void kinematics(const kinematicsPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -83,34 +117,7 @@ void kinematics(const kinematicsPass& p)
             const runs around = runsAround(p.cells, cx, cy, cz);
             for (int i = begin; i < end; ++i)
             {
-                const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
-                Kinematics<pack> total = {};
-
-                overPairs(
-                    around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z,
-                    W.supportSqr(),
-                    [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
-                    {
-                        addKinematics(
-                            total,
-                            pack(load(p.V + j) * W.gradByDistance(rSqr)),
-                            x_ij,
-                            v_i - loadVec(p.u, p.v, p.w, j)
-                        );
-                    }
-                );
-
-                const Vec<pack>* rows[3] = {
-                    &total.R.x, &total.R.y, &total.R.z};
-                for (int c = 0; c < 9; ++c)
-                {
-                    p.R[c][i] = sum(*rows[c / 3], c % 3);
-                }
-                const pack* M = &total.M.xx;
-                for (int c = 0; c < 6; ++c)
-                {
-                    p.M[c][i] = lpf::sum(M[c]);
-                }
+                kinematicsOfParticle(p, W, around, i);
             }
         }
     );
@@ -145,6 +152,50 @@ void addViscosity(
 }
 
 template<bool viscous>
+LPF_ONE_BODY void forceOnParticle(
+    const forcePass& p, const wendlandC2& W, const runs& around, int i
+)
+{
+    Force<pack> total = {};
+    Vec<pack> a = {};
+    pack power(0.0);
+
+    overPairs(
+        around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z, W.supportSqr(),
+        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {
+            addForce(
+                total, pack(load(p.V + j) * W.gradByDistance(rSqr)), x_ij,
+                loadTensor(p.A, j)
+            );
+            if constexpr (viscous)
+            {
+                addViscosity(p, W, i, j, x_ij, rSqr, a, power);
+            }
+        }
+    );
+
+    const Vec<double> g = {
+        sum(total.gradV, 0), sum(total.gradV, 1), sum(total.gradV, 2)};
+    const double s = p.thickness * p.V[i] / p.m[i];
+    double* out[3] = {p.ax + i, p.ay + i, p.az + i};
+    for (int c = 0; c < 3; ++c)
+    {
+        const Vec<double> row
+            = {p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
+        *out[c] = s * ((row & g) + sum(total.other, c));
+        if constexpr (viscous)
+        {
+            *out[c] += sum(a, c);
+        }
+    }
+    if constexpr (viscous)
+    {
+        p.viscousPower[i] = p.m[i] * lpf::sum(power);
+    }
+}
+
+template<bool viscous>
 void force(const forcePass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -156,46 +207,7 @@ void force(const forcePass& p)
             const runs around = runsAround(p.cells, cx, cy, cz);
             for (int i = begin; i < end; ++i)
             {
-                Force<pack> total = {};
-                Vec<pack> a = {};
-                pack power(0.0);
-
-                overPairs(
-                    around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z,
-                    W.supportSqr(),
-                    [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
-                    {
-                        addForce(
-                            total,
-                            pack(load(p.V + j) * W.gradByDistance(rSqr)),
-                            x_ij, loadTensor(p.A, j)
-                        );
-                        if constexpr (viscous)
-                        {
-                            addViscosity(p, W, i, j, x_ij, rSqr, a, power);
-                        }
-                    }
-                );
-
-                const Vec<double> g = {
-                    sum(total.gradV, 0), sum(total.gradV, 1),
-                    sum(total.gradV, 2)};
-                const double s = p.thickness * p.V[i] / p.m[i];
-                double* out[3] = {p.ax + i, p.ay + i, p.az + i};
-                for (int c = 0; c < 3; ++c)
-                {
-                    const Vec<double> row = {
-                        p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
-                    *out[c] = s * ((row & g) + sum(total.other, c));
-                    if constexpr (viscous)
-                    {
-                        *out[c] += sum(a, c);
-                    }
-                }
-                if constexpr (viscous)
-                {
-                    p.viscousPower[i] = p.m[i] * lpf::sum(power);
-                }
+                forceOnParticle<viscous>(p, W, around, i);
             }
         }
     );
@@ -259,7 +271,7 @@ void store(const WallSums<pack>& from, wallRecord& to)
     to.friction = lpf::sum(from.friction);
 }
 
-void wallOfParticle(
+LPF_ONE_BODY void wallOfParticle(
     const wallPass& p, const wendlandC2& W, const runs& around, int i
 )
 {
@@ -272,10 +284,13 @@ void wallOfParticle(
         {
             const Vec<pack> n = loadVec(p.nx, p.ny, p.nz, q);
             const pack d = x_iq & n;
-            pack AW = load(p.area + q) * W.value(rSqr);
-            stdx::where(!(d > pack(-p.behind)), AW) = 0;
+            pack A = load(p.area + q);
+            stdx::where(!(d > pack(-p.behind)), A) = 0;
+            const LayerSums<pack> s = layerSums(W, rSqr, d, p.layerDepth);
 
-            addWall(total, AW, n, d, load(p.mu + q));
+            addWall(
+                total, LayerSums<pack>{A * s.E, A * s.D}, n, load(p.mu + q)
+            );
             nearest.see(rSqr, d, n, p.outOfSight);
         }
     );
