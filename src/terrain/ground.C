@@ -4,6 +4,7 @@
 #include "inputCheck.H"
 #include "OSspecific.H"
 
+#include <fstream>
 #include <limits>
 
 namespace Foam
@@ -13,6 +14,40 @@ namespace lpf
 
 defineTypeNameAndDebug(groundPart, 0);
 defineRunTimeSelectionTable(groundPart, dictionary);
+
+
+namespace
+{
+
+// A file of its own: OpenFOAM reads strings of at most 1024 characters, a
+// compound CRS is longer; and GIS programs read it as it is
+const fileName crsFile("crs.wkt");
+
+
+string readText(const fileName& name)
+{
+    std::ifstream is(name);
+    string text;
+    std::getline(is, text, '\0');
+    if (!is.eof() || text.empty())
+    {
+        FatalErrorInFunction << "Cannot read " << name << exit(FatalError);
+    }
+    return text;
+}
+
+
+void writeText(const fileName& name, const string& text)
+{
+    std::ofstream os(name);
+    os << text << std::flush;
+    if (!os)
+    {
+        FatalErrorInFunction << "Cannot write " << name << exit(FatalError);
+    }
+}
+
+} // namespace
 
 
 autoPtr<groundPart>
@@ -63,7 +98,7 @@ autoPtr<ground> ground::read(const fileName& caseDir)
         std::move(list),
         dict.get<wordList>("zones"),
         dict.get<point>("origin"),
-        dict.get<string>("crs")
+        dict.found("crs") ? readText(directory / dict.get<fileName>("crs")) : ""
     );
 }
 
@@ -85,7 +120,11 @@ void ground::write(const fileName& caseDir) const
     writeFoamHeader(os, "dictionary", "constant/terrain/terrainProperties");
     os << "// input coordinates = local coordinates + origin [m]" << nl;
     os.writeEntry("origin", origin_);
-    os.writeEntry("crs", crs_);
+    if (!crs_.empty())
+    {
+        writeText(directory / crsFile, crs_);
+        os.writeEntry("crs", crsFile);
+    }
     os.writeEntry("zones", zones_);
     os << nl << "parts" << parts;
     file.close();

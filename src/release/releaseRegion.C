@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "releaseRegion.H"
+#include "inputCheck.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+defineTypeNameAndDebug(releaseRegion, 0);
+defineRunTimeSelectionTable(releaseRegion, dictionary);
+
+
+autoPtr<releaseRegion>
+releaseRegion::New(const dictionary& dict, const releaseContext& context)
+{
+    const word type =
+        readChoice(dict, "type", dictionaryConstructorTablePtr_->sortedToc());
+    return dictionaryConstructorTablePtr_->cfind(type)()(dict, context);
+}
+
+
+releaseRegion::releaseRegion(const dictionary& dict, const wordList& keywords)
+    : dict_(dict)
+{
+    wordList valid(keywords);
+    valid.append(wordList{
+        "type", "zone", "velocity", "spacing", "lattice", "grains"});
+    allowOnly(dict, valid);
+}
+
+
+string releaseRegion::crs() const
+{
+    return "";
+}
+
+
+void releaseRegion::place(const releaseScene& scene)
+{
+    scene_ = &scene;
+}
+
+
+bool isFree(const ground& bed, const point& x, const scalar spacing)
+{
+    // further than a spacing everything is free
+    const groundHit hit = bed.signedDistance(x, spacing);
+    return hit.found ? hit.distance >= leastWallDistance * spacing
+                     : !hit.border;
+}
+
+} // namespace lpf
+} // namespace Foam

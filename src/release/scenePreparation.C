@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenePreparation.H"
+#include "crs.H"
+#include "inputCheck.H"
+#include "OSspecific.H"
+
+#include <cmath>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// Relative deviation that rounding of typed numbers may cause
+constexpr scalar typed = 1e-6;
+
+} // namespace
+
+
+scenePreparation::scenePreparation(
+    const fileName& caseDir, const fileName& dictFile
+)
+    : caseDir_(caseDir), dict_(readDictionary(dictFile)),
+      g_(readGravity(caseDir))
+{
+    allowOnly(
+        dict_, {"spacing", "lattice", "origin", "maxSpeed", "ground", "release"}
+    );
+    if (!(mag(g_) > 0))
+    {
+        FatalErrorInFunction
+            << "constant/g is zero: nothing would move, and there is no"
+            << " upwards for the releases." << exit(FatalError);
+    }
+    readMaterial();
+    readBoundaries();
+    readEndTime();
+    readReleases();
+    makeGround();
+    checkCrs();
+    fillReleases();
+    cloud_ = grainsAtRest(bodies_, material_, g_, grid_.spacing);
+    checkBorder();
+}
+
+
+void scenePreparation::readMaterial()
+{
+    const dictionary phases =
+        readDictionary(caseDir_ / "constant" / "phaseProperties");
+    const dictionary& grains = phases.subDict("grains");
+    material_.rho = readNumber(
+        grains,
+        "rho",
+        dimDensity,
+        {0, GREAT, true, false, "density of the grain, e.g. 2600 kg/m3"}
+    );
+    const word rheology = grains.get<word>("rheology");
+    const dictionary& coeffs = grains.subDict(rheology + "Coeffs");
+    const scalar nu = readNumber(
+        coeffs,
+        "nu",
+        dimless,
+        {0, 0.5, false, true, "Poisson's ratio of an elastic body"}
+    );
+    material_.K0 = readNumber(
+        coeffs,
+        "K0",
+        dimless,
+        {0, 10, false, false, "ratio of lateral and vertical stress at rest"},
+        nu / (1 - nu)
+    );
+    material_.geostatic =
+        readChoice(coeffs, "initialStress", {"geostatic", "zero"}, "geostatic")
+        == "geostatic";
+    const scalar muS = coeffs.getOrDefault<scalar>("muS", GREAT);
+    const scalar ratio =
+        std::sqrt(3.0) * (1 - material_.K0) / (1 + 2 * material_.K0);
+    if (material_.geostatic && ratio > muS)
+    {
+        const scalar k = (std::sqrt(3.0) - muS) / (std::sqrt(3.0) + 2 * muS);
+        Info << "The geostatic state, K0 = " << material_.K0
+             << ", has sqrt(J2)/p = " << ratio << ", more than muS = " << muS
+             << ": it yields at once. Within the yield surface: K0 >= " << k
+             << " or nu >= " << k / (1 + k) << nl << nl;
+    }
+}
+
+
+void scenePreparation::readBoundaries()
+{
+    const fileName file = caseDir_ / "constant" / "boundaryProperties";
+    const dictionary all = readDictionary(file);
+    if (const dictionary* plane = all.findDict("planeStrain"))
+    {
+        allowOnly(*plane, {"normal", "thickness"});
+        planeNormal_ = readVector(*plane, "normal", dimless);
+        planeNormal_ /= max(mag(planeNormal_), VSMALL);
+        planeThickness_ = readNumber(
+            *plane,
+            "thickness",
+            dimLength,
+            {0,
+             GREAT,
+             true,
+             false,
+             "masses and forces are those of a slice that thick, e.g. 1 m"}
+        );
+    }
+    const dictionary* pairs = all.findDict("cyclic");
+    if (!pairs)
+    {
+        return;
+    }
+    allowOnly(*pairs, {"x", "y"});
+    for (const word& key : {word("x"), word("y")})
+    {
+        if (pairs->found(key))
+        {
+            const auto ends = pairs->get<FixedList<scalar, 2>>(key);
+            cyclic_.append({direction(key == "x" ? 0 : 1), ends[0], ends[1]});
+            if (!(ends[0] < ends[1]))
+            {
+                refuse(
+                    *pairs,
+                    key,
+                    "A cyclic pair is two coordinates, the smaller one first,"
+                    " e.g. x (0 1)."
+                );
+            }
+        }
+    }
+}
+
+
+void scenePreparation::readEndTime()
+{
+    const fileName file = caseDir_ / "system" / "controlDict";
+    if (isFile(file))
+    {
+        endTime_ = readDictionary(file).getOrDefault<scalar>("endTime", 0);
+    }
+}
+
+
+void scenePreparation::readReleases()
+{
+    Info << "Reading releases" << nl;
+    const dictionary& releases = dict_.subDict("release");
+    const bool single = releases.found("type");
+    const dictionary& where =
+        single && releases.found("spacing") ? releases : dict_;
+    grid_.spacing = readNumber(
+        where,
+        "spacing",
+        dimLength,
+        {0,
+         GREAT,
+         true,
+         false,
+         "distance of particles; five in the thickness of the release are"
+         " a fair start"}
+    );
+    // origin is not known yet, only the axes are
+    readLattice(dict_, Zero, grid_);
+    if (single)
+    {
+        addRelease(releases, releases.getOrDefault<word>("zone", "release"));
+    }
+    else
+    {
+        for (const entry& e : releases)
+        {
+            if (!e.isDict())
+            {
+                refuse(
+                    releases,
+                    e.keyword(),
+                    "release is either one body with a type, or several"
+                    " sub-dictionaries, each with a type."
+                );
+            }
+            addRelease(
+                e.dict(), e.dict().getOrDefault<word>("zone", e.keyword())
+            );
+        }
+    }
+    if (regions_.empty())
+    {
+        FatalIOErrorInFunction(releases)
+            << "No release is given: there would be no particle."
+            << exit(FatalIOError);
+    }
+    Info << nl;
+}
+
+
+void scenePreparation::addRelease(const dictionary& dict, const word& name)
+{
+    lattice own(grid_);
+    readLattice(dict, Zero, own);
+    if (dict.found("spacing")
+        && mag(dict.get<scalar>("spacing") - grid_.spacing) > 0)
+    {
+        refuse(
+            dict,
+            "spacing",
+            "All particles of a case have one spacing: the smoothing length is"
+            " one for all. Write it once, at the top of the dictionary."
+        );
+    }
+    regions_.append(releaseRegion::New(dict, {caseDir_, own.axes}));
+    regionDicts_.append(&dict);
+    names_.append(name);
+}
+
+
+point scenePreparation::chooseOrigin() const
+{
+    // Not a round number near by: the same scene elsewhere, or in another
+    // unit, must give the same local coordinates
+    if (!dict_.found("origin"))
+    {
+        return pieces_.bounds().min();
+    }
+    ITstream& is = dict_.lookup("origin");
+    if (is.size() && is[0].isWord())
+    {
+        readChoice(dict_, "origin", {"auto"});
+        return pieces_.bounds().min();
+    }
+    return readVector(dict_, "origin", dimLength);
+}
+
+
+void scenePreparation::makeGround()
+{
+    Info << "Reading ground" << nl;
+    boundBox plan = boundBox(boundBox::invertedBox);
+    forAll (regions_, i)
+    {
+        plan.add(regions_[i].plan());
+    }
+    pieces_ = readGround(dict_.subDict("ground"), {caseDir_, plan});
+    ground_ = pieces_.build(chooseOrigin());
+    const boundBox box = ground_->bounds();
+    const point& o = ground_->origin();
+    Info << "    " << ground_->nTriangles() << " triangles, zones";
+    for (const word& zone : ground_->zones())
+    {
+        Info << ' ' << zone;
+    }
+    // coordinates of maps have seven digits before the point
+    const int digits = Info().precision(10);
+    Info << nl << "    from " << box.min() + o << " to " << box.max() + o
+         << " m" << nl << "    local origin " << o << nl << nl;
+    Info().precision(digits);
+}
+
+
+void scenePreparation::checkCrs() const
+{
+    forAll (regions_, i)
+    {
+        const string crs = regions_[i].crs();
+        if (!crs.empty() && !ground_->crs().empty()
+            && !sameCrs(crs, ground_->crs()))
+        {
+            FatalIOErrorInFunction(*regionDicts_[i])
+                << "Release " << names_[i] << " is in " << crsName(crs).c_str()
+                << ", the ground in " << crsName(ground_->crs()).c_str() << '.'
+                << nl << "Reproject one of them (ogr2ogr or gdalwarp -t_srs)."
+                << exit(FatalIOError);
+        }
+        if (crs.empty() != ground_->crs().empty())
+        {
+            Info << "Release " << names_[i]
+                 << " and ground: only one of them states its CRS; taken as the"
+                 << " same." << nl << nl;
+        }
+    }
+}
+
+
+void scenePreparation::checkCyclic() const
+{
+    for (const cyclicPair& pair : cyclic_)
+    {
+        const scalar n = (pair.to - pair.from) / grid_.spacing;
+        if (mag(n - std::round(n)) > typed * n)
+        {
+            FatalErrorInFunction
+                << "The period of the cyclic pair "
+                << (pair.axis == 0 ? 'x' : 'y') << " is " << pair.to - pair.from
+                << " m, " << n << " spacings." << nl
+                << "It must be a whole number of spacings: the lattice goes on"
+                << " through the pair, else particles start too near to each"
+                << " other or with a gap there." << nl << "Take a spacing of "
+                << (pair.to - pair.from) / std::round(n)
+                << " m or change the period in constant/boundaryProperties."
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void scenePreparation::keepInCyclicBox(DynamicList<seed>& seeds) const
+{
+    // Half open, so that of two planes a period apart one is kept
+    const scalar little = typed * grid_.spacing;
+    label used = 0;
+    forAll (seeds, i)
+    {
+        const point x = seeds[i].x + ground_->origin();
+        bool inside = true;
+        for (const cyclicPair& pair : cyclic_)
+        {
+            const scalar s = x[pair.axis];
+            inside = inside && s >= pair.from - little && s < pair.to - little;
+        }
+        if (inside)
+        {
+            seeds[used++] = seeds[i];
+        }
+    }
+    seeds.resize(used);
+}
+
+
+releaseBody scenePreparation::fillRelease(const label i)
+{
+    const dictionary& dict = *regionDicts_[i];
+    const releaseScene& scene = scenes_[i];
+    regions_[i].place(scene);
+
+    const dictionary& grains = dict.subDict("grains");
+    allowOnly(grains, {"solidFraction", "mass"});
+    releaseBody body;
+    body.name = names_[i];
+    body.axes = scene.grid.axes;
+    body.solidFraction = readNumber(
+        grains,
+        "solidFraction",
+        dimless,
+        {0,
+         0.74,
+         true,
+         false,
+         "share of solid in the bulk volume; equal spheres reach 0.74"}
+    );
+    body.K0 = material_.K0;
+    body.velocity = dict.found("velocity")
+                      ? readVector(dict, "velocity", dimVelocity)
+                      : vector(Zero);
+    body.volume = regions_[i].volume();
+
+    DynamicList<seed> seeds;
+    regions_[i].fill(seeds);
+    keepInCyclicBox(seeds);
+    body.seeds.transfer(seeds);
+    body.latticeVolume = body.seeds.size() * scene.grid.particleVolume();
+    if (body.seeds.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Release " << body.name << " holds no particle: its volume is "
+            << body.volume << " m3, that of a particle "
+            << scene.grid.particleVolume() << " m3." << nl
+            << "Is it on the free side of the ground (normals), and is the"
+            << " spacing of " << grid_.spacing << " m smaller than it?"
+            << exit(FatalIOError);
+    }
+    body.mass = readNumber(
+        grains,
+        "mass",
+        dimMass,
+        {0, GREAT, true, false, "total mass of the grains"},
+        material_.rho * body.solidFraction * body.volume
+    );
+    return body;
+}
+
+
+void scenePreparation::fillReleases()
+{
+    checkCyclic();
+    const vector up = -g_ / mag(g_);
+    forAll (regions_, i)
+    {
+        lattice own(grid_);
+        own.origin = Zero;
+        readLattice(dict_, ground_->origin(), own);
+        readLattice(*regionDicts_[i], ground_->origin(), own);
+        if (planeThickness_ > 0)
+        {
+            makePlaneStrain(planeNormal_, planeThickness_, dict_, own);
+        }
+        scenes_.append(new releaseScene{*ground_, own, up});
+    }
+    bodies_.resize(regions_.size());
+    forAll (regions_, i)
+    {
+        bodies_[i] = fillRelease(i);
+        for (const seed& s : bodies_[i].seeds)
+        {
+            // from the ground under the first layer up to the top
+            releaseHeight_ = max(releaseHeight_, s.depth + 0.5 * grid_.spacing);
+        }
+    }
+}
+
+
+void scenePreparation::checkBorder() const
+{
+    if (pieces_.rasters.empty())
+    {
+        return;
+    }
+    const boundBox box = ground_->bounds();
+    const scalar margin = 2 * smoothingRatio * grid_.spacing;
+    for (const point& x : cloud_.positions)
+    {
+        if (x.x() < box.min().x() + margin || x.x() > box.max().x() - margin
+            || x.y() < box.min().y() + margin || x.y() > box.max().y() - margin)
+        {
+            const point at = x + ground_->origin();
+            FatalIOErrorInFunction(dict_)
+                << "The release touches the border of the ground: a particle"
+                << " at (" << at.x() << ' ' << at.y() << ") is nearer than "
+                << margin << " m to it." << nl
+                << "It would fall off at the start. Enlarge the window of the"
+                << " ground, or cut the release." << exit(FatalIOError);
+        }
+    }
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenePreparation.H"
+#include "OSspecific.H"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// Volume of the lattice and of the geometry differ by more: too coarse
+constexpr scalar volumeTolerance = 0.02;
+
+// Fewer particles through the thickness: the profile of velocity is lost
+constexpr scalar fewLayers = 3;
+
+struct layers
+{
+    label least = labelMax, most = 0;
+    scalar mean = 0;
+};
+
+// Particles over each other in the columns of the lattice
+layers countLayers(const UList<seed>& seeds)
+{
+    std::map<std::pair<label, label>, label> columns;
+    for (const seed& s : seeds)
+    {
+        ++columns[{s.column[0], s.column[1]}];
+    }
+    layers result;
+    for (const auto& column : columns)
+    {
+        result.least = min(result.least, column.second);
+        result.most = max(result.most, column.second);
+    }
+    result.mean = scalar(seeds.size()) / scalar(columns.size());
+    return result;
+}
+
+
+void printDuration(const scalar seconds)
+{
+    if (seconds < 120)
+    {
+        Info << seconds << " s";
+    }
+    else if (seconds < 7200)
+    {
+        Info << seconds / 60 << " min";
+    }
+    else
+    {
+        Info << seconds / 3600 << " h";
+    }
+}
+
+} // namespace
+
+
+void scenePreparation::reportRelease(const releaseBody& body) const
+{
+    const layers n = countLayers(body.seeds);
+    const scalar difference = body.latticeVolume / body.volume - 1;
+    Info << "Release " << body.name << nl << "    particles       "
+         << body.seeds.size() << nl << "    mass            " << body.mass
+         << " kg, " << body.mass / body.seeds.size() << " kg a particle" << nl
+         << "    bulk volume     " << body.volume << " m3, bulk density "
+         << body.mass / body.volume << " kg/m3, solid fraction "
+         << body.solidFraction << nl << "    lattice volume  "
+         << body.latticeVolume << " m3, " << 100 * difference << " %" << nl
+         << "    layers          " << n.least << " to " << n.most << ", mean "
+         << n.mean << nl;
+    const scalar solid = body.solidFraction * material_.rho * body.volume;
+    if (mag(body.mass / solid - 1) > volumeTolerance)
+    {
+        WarningInFunction
+            << "Release " << body.name << ": mass " << body.mass
+            << " kg, but density of the grain x solidFraction x volume is "
+            << solid << " kg. The bulk density follows the mass; correct"
+            << " solidFraction or volume if this is not meant." << endl;
+    }
+    if (mag(difference) > volumeTolerance)
+    {
+        WarningInFunction
+            << "Release " << body.name << ": the lattice has "
+            << 100 * difference << " % of volume more than the geometry."
+            << " Masses are exact all the same, but each particle stands for"
+            << " a volume that its place does not have. A smaller spacing"
+            << " helps, or one that divides the thickness." << endl;
+    }
+    if (n.mean < fewLayers)
+    {
+        WarningInFunction
+            << "Release " << body.name << " is only " << n.mean
+            << " particles thick on average; the velocity over the depth is"
+            << " not resolved. Five need a spacing of "
+            << grid_.spacing * n.mean / 5 << " m and "
+            << std::pow(5 / n.mean, 3) << " times the particles." << endl;
+    }
+    Info << nl;
+}
+
+
+scalar scenePreparation::drop() const
+{
+    const vector up = -g_ / mag(g_);
+    scalar top = -GREAT, low = GREAT;
+    for (const point& x : cloud_.positions)
+    {
+        top = max(top, up & x);
+    }
+    const tmp<pointField> ends = ground_->bounds().points();
+    for (const point& x : ends())
+    {
+        low = min(low, up & x);
+    }
+    return top + 0.5 * grid_.spacing - low;
+}
+
+
+runEstimate scenePreparation::estimate() const
+{
+    const scalar given = dict_.getOrDefault<scalar>("maxSpeed", 0);
+    return estimateRun(
+        {cloud_.size(),
+         smoothingRatio * grid_.spacing,
+         releaseHeight_,
+         drop(),
+         mag(g_),
+         endTime_,
+         given}
+    );
+}
+
+
+void scenePreparation::warnOfOldTimes() const
+{
+    const fileNameList folders = readDir(caseDir_, fileName::DIRECTORY);
+    word found;
+    for (const fileName& folder : folders)
+    {
+        scalar time = 0;
+        if (readScalar(folder, time) && time > 0)
+        {
+            found = folder;
+        }
+    }
+    if (!found.empty())
+    {
+        WarningInFunction
+            << "Time folders of an earlier run stand in the case, e.g. "
+            << found << ". startFrom latestTime would go on from them, with"
+            << " other particles than those written now: remove them." << endl;
+    }
+}
+
+
+void scenePreparation::report() const
+{
+    for (const releaseBody& body : bodies_)
+    {
+        reportRelease(body);
+    }
+    const runEstimate run = estimate();
+    Info << "Expected" << nl << "    memory          " << run.memory / 1048576
+         << " MiB" << nl << "    largest speed   " << run.maxSpeed
+         << (dict_.found("maxSpeed") ? " m/s, given"
+                                     : " m/s, free fall over the relief")
+         << nl << "    wave speed      " << run.waveSpeed << " m/s" << nl
+         << "    time step       " << run.timeStep << " s" << nl;
+    if (endTime_ > 0)
+    {
+        Info << "    steps           " << run.steps << " to endTime "
+             << endTime_ << " s" << nl << "    wall time       ";
+        printDuration(run.wallTime);
+        Info << " on two cores" << nl;
+    }
+    Info << nl;
+    warnOfOldTimes();
+}
+
+} // namespace lpf
+} // namespace Foam

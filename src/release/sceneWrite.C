@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenePreparation.H"
+#include "foamFile.H"
+#include "OSspecific.H"
+
+#include <limits>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// A folder beside the results, removed whatever happens
+class staging
+{
+    fileName path_;
+
+public:
+    explicit staging(const fileName& caseDir)
+        : path_(caseDir / ".terrainToParticles")
+    {
+        rmDir(path_, true);
+        if (!mkDir(path_))
+        {
+            FatalErrorInFunction << "Cannot make " << path_
+                                 << ": may you write into the case?"
+                                 << exit(FatalError);
+        }
+    }
+
+    ~staging() { rmDir(path_, true); }
+
+    const fileName& path() const { return path_; }
+};
+
+
+// Put a file or folder in the place of an older one
+void replace(const fileName& from, const fileName& to)
+{
+    mkDir(to.path());
+    const fileName old = from + ".old";
+    if ((isFile(to, false) || isDir(to)) && !mv(to, old))
+    {
+        FatalErrorInFunction << "Cannot replace " << to << exit(FatalError);
+    }
+    if (!mv(from, to))
+    {
+        mv(old, to);
+        FatalErrorInFunction << "Cannot write " << to << exit(FatalError);
+    }
+}
+
+} // namespace
+
+
+void scenePreparation::writeReleaseProperties(const fileName& file) const
+{
+    scalar mass = 0, volume = 0, solid = 0;
+    for (const releaseBody& body : bodies_)
+    {
+        mass += body.mass;
+        volume += body.volume;
+        solid += body.volume * body.solidFraction;
+    }
+    outputFile out(file, IOstreamOption());
+    OFstream& os = out.stream();
+    // enough digits to read the same double back
+    os.precision(std::numeric_limits<scalar>::max_digits10);
+    writeFoamHeader(os, "dictionary", "constant/releaseProperties");
+    os << "// written by terrainToParticles; SI units" << nl;
+    os.writeEntry("spacing", grid_.spacing);
+    os.writeEntry("smoothingLength", smoothingRatio * grid_.spacing);
+    os.writeEntry("dimensions", planeThickness_ > 0 ? 2 : 3);
+    if (planeThickness_ > 0)
+    {
+        os.writeEntry("planeNormal", planeNormal_);
+        os.writeEntry("planeThickness", planeThickness_);
+    }
+    os.writeEntry("releaseHeight", releaseHeight_);
+    os.writeEntry("maxSpeed", estimate().maxSpeed);
+    os.writeEntry("zones", names_);
+    os.beginBlock("grains");
+    os.writeEntry("count", cloud_.size());
+    os.writeEntry("mass", mass);
+    os.writeEntry("volume", volume);
+    os.writeEntry("solidFraction", solid / volume);
+    os.endBlock();
+    out.close();
+}
+
+
+void scenePreparation::write() const
+{
+    const staging stage(caseDir_);
+    const fileName& from = stage.path();
+    mkDir(from / "constant");
+    ground_->write(from);
+    writeReleaseProperties(from / "constant" / "releaseProperties");
+    writeCloud(from / "0", "grains", cloud_, IOstreamOption(IOstream::BINARY));
+
+    pointField points;
+    faceList faces;
+    labelList zone;
+    ground_->triangles(points, faces, zone);
+    boundBox box = ground_->bounds();
+    box.add(cloud_.positions);
+    writeDisplayMesh(from, box, points, faces);
+
+    for (const fileName& part :
+         {fileName("constant/terrain"),
+          fileName("constant/polyMesh"),
+          fileName("constant/releaseProperties"),
+          fileName("0/lagrangian")})
+    {
+        replace(from / part, caseDir_ / part);
+    }
+    // ParaView's reader opens a case by an empty file of this kind
+    OFstream(caseDir_ / caseDir_.name() + ".foam");
+    Info << "Written: constant/terrain constant/polyMesh"
+         << " constant/releaseProperties 0/lagrangian/grains "
+         << caseDir_.name() << ".foam" << nl << endl;
+}
+
+} // namespace lpf
+} // namespace Foam
