@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "stringOps.H"
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <vector>
@@ -187,11 +188,14 @@ void Foam::lpf::checkBrackets(const fileName& file)
 namespace
 {
 
+bool belongsToName(const char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+
 void addMacros(const std::string& text, Foam::wordHashSet& names)
 {
-    const auto belongs = [](const char c)
-    { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-
     for (auto at = text.find('$'); at != std::string::npos;
          at = text.find('$', at + 1))
     {
@@ -200,7 +204,7 @@ void addMacros(const std::string& text, Foam::wordHashSet& names)
         for (std::size_t i = at + 1; i <= text.size(); ++i)
         {
             const char c = i < text.size() ? text[i] : ' ';
-            if (belongs(c))
+            if (belongsToName(c))
             {
                 name += c;
                 continue;
@@ -216,15 +220,25 @@ void addMacros(const std::string& text, Foam::wordHashSet& names)
 }
 
 
-void addMacrosOfFile(
-    const Foam::fileName& file, Foam::wordHashSet& names, const int depth
+struct namedText
+{
+    Foam::fileName file;
+    std::string text; //!< without comments
+};
+
+
+//- The file and those that it includes, in order
+void addFiles(
+    const Foam::fileName& file,
+    std::vector<namedText>& files,
+    const int depth = 0
 )
 {
     using namespace Foam;
 
     const std::string text =
         lpf::withoutComments(textOf(file), lpf::quoted::keep);
-    addMacros(text, names);
+    files.push_back({file, text});
     for (auto at = text.find("#include"); depth < 10 && at != std::string::npos;
          at = text.find("#include", at + 1))
     {
@@ -236,21 +250,65 @@ void addMacrosOfFile(
         }
         fileName included(text.substr(begin + 1, end - begin - 1), false);
         stringOps::inplaceExpand(included);
-        addMacrosOfFile(
+        addFiles(
             included.isAbsolute() ? included : file.path() / included,
-            names,
+            files,
             depth + 1
         );
     }
 }
 
+
+//- Number, from 1, of the first line with the word; of `only` if that is > 0.
+//  0: none
+Foam::label
+lineWith(const std::string& text, const std::string& word, Foam::label only)
+{
+    for (auto at = text.find(word); at != std::string::npos;
+         at = text.find(word, at + 1))
+    {
+        const auto end = at + word.size();
+        const auto newLines = std::count(text.data(), text.data() + at, '\n');
+        const auto line = static_cast<Foam::label>(1 + newLines);
+        const bool whole = (at == 0 || !belongsToName(text[at - 1]))
+                        && (end == text.size() || !belongsToName(text[end]));
+        if (whole && (only <= 0 || line == only))
+        {
+            return line;
+        }
+    }
+    return 0;
+}
+
 } // namespace
+
+
+Foam::lpf::filePlace
+Foam::lpf::placeOf(const fileName& file, const word& key, const label line)
+{
+    std::vector<namedText> files;
+    addFiles(file, files);
+    for (const namedText& f : files)
+    {
+        const label found = lineWith(f.text, key, line);
+        if (found)
+        {
+            return {f.file, found};
+        }
+    }
+    return {file, line};
+}
 
 
 Foam::wordHashSet Foam::lpf::macrosUsed(const fileName& file)
 {
+    std::vector<namedText> files;
+    addFiles(file, files);
     wordHashSet names;
-    addMacrosOfFile(file, names, 0);
+    for (const namedText& f : files)
+    {
+        addMacros(f.text, names);
+    }
     names.erase(word());
     return names;
 }

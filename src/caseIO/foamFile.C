@@ -435,6 +435,7 @@ Foam::lpf::inputFile::inputFile(const fileName& file) : name(file)
         damaged("it has no FoamFile header", nullptr);
     }
     const dictionary header(is);
+    headerLines = is.lineNumber();
     className = header.getOrDefault<word>("class", "");
     const word format(header.getOrDefault<word>("format", ""));
     if (className.empty() || (format != "ascii" && format != "binary"))
@@ -465,14 +466,18 @@ Foam::lpf::inputFile::inputFile(const fileName& file) : name(file)
 void Foam::lpf::inputFile::damaged(const string& why, const char* at) const
 {
     string where;
-    if (at)
+    label line = -1;
+    if (at && binary)
     {
-        where = binary ? " (byte " : " (line ";
-        const auto n =
-            binary ? at - data.data() : 1 + std::count(data.data(), at, '\n');
-        where += Foam::name(static_cast<label>(n)) + " behind the header)";
+        where = " (byte " + std::to_string(at - data.data())
+              + " behind the header)";
     }
-    FatalIOError("", "", 0, name, -1, -1)
+    else if (at)
+    {
+        const auto lines = std::count(data.data(), at, '\n');
+        line = headerLines + static_cast<label>(lines);
+    }
+    FatalIOError("", "", 0, name, line, -1)
         << "The file is damaged: " << why.c_str() << where.c_str() << nl
         << "Go on from an earlier time, or write the file anew"
         << exit(FatalIOError);

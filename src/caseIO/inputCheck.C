@@ -19,26 +19,6 @@ namespace
 
 using namespace Foam;
 
-//- The file that an entry stands in: not that of the dictionary if the entry
-//  came from an #include, whose line number it carries
-fileName fileOf(const dictionary& dict, const entry& e)
-{
-    if (e.isDict())
-    {
-        return dict.name();
-    }
-    const std::string stream(e.stream().name());
-    const std::string key('.' + e.keyword());
-    if (stream.size() <= key.size())
-    {
-        return dict.name();
-    }
-    const std::string file(stream, 0, stream.size() - key.size());
-    const bool ours = dict.name().compare(0, file.size(), file) == 0;
-    return ours ? dict.name() : fileName(file, false);
-}
-
-
 //- dict.name() without the names of sub-dictionaries
 fileName topFile(const dictionary& dict)
 {
@@ -328,14 +308,22 @@ void Foam::lpf::refuse(
     const dictionary& dict, const word& key, const string& message
 )
 {
+    // The dictionary itself when it has no such entry. An #include may have
+    // brought the entry
     const entry* e = dict.findEntry(key, keyType::LITERAL);
+    const fileName top = topFile(dict);
+    const filePlace place = e ? placeOf(top, key, e->startLineNumber())
+                          : (dict.empty() && dict.name() != top)
+                              ? placeOf(top, dict.dictName(), -1)
+                              : filePlace{top, dict.startLineNumber()};
+
     // no function name and line of our sources: the user's file is the matter
     FatalIOError(
         "",
         "",
         0,
-        e ? fileOf(dict, *e) : dict.name(),
-        e ? e->startLineNumber() : dict.startLineNumber(),
+        place.file == top ? dict.name() : place.file,
+        place.line,
         e ? -1 : dict.endLineNumber()
     ) << message.c_str()
       << exit(FatalIOError);
