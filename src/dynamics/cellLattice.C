@@ -32,7 +32,7 @@ inline long cellLattice::cellOf(double x, int d) const
 }
 
 void cellLattice::boundingBox(
-    const realArrays<3>& x, int n, ::lpf::cellGrid& grid
+    const realArrays<3>& x, int n, lpfPairs::cellGrid& grid
 ) const
 {
     for (int d = 0; d < 3; ++d)
@@ -57,7 +57,7 @@ void cellLattice::sort(
     const realArrays<3>& x, int n, indexArray& order, sortedCells& cells
 ) const
 {
-    ::lpf::cellGrid& grid = cells.grid;
+    lpfPairs::cellGrid& grid = cells.grid;
     boundingBox(x, n, grid);
 
     const double count
@@ -75,7 +75,7 @@ void cellLattice::sort(
 
     indexArray cell;
     cell.resize(n);
-    ::lpf::forChunks(
+    lpfPairs::forChunks(
         n,
         [&](int begin, int end, int)
         {

@@ -49,7 +49,7 @@ word best(const wordList& all)
 
 } // namespace
 
-const ::lpf::pairEngine& loadPairEngine(const word& instructionSet)
+const lpfPairs::pairEngine& loadPairEngine(const word& instructionSet)
 {
     const wordList all({"x86-64-v4", "x86-64-v3", "x86-64-v2"});
     const word isa = instructionSet == "auto" ? best(all) : instructionSet;
@@ -69,7 +69,7 @@ const ::lpf::pairEngine& loadPairEngine(const word& instructionSet)
             << "cannot load " << library << ": " << dlerror()
             << ". Build it with ./Allwmake" << exit(FatalError);
     }
-    const auto entry = reinterpret_cast<::lpf::pairEngineEntry>(
+    const auto entry = reinterpret_cast<lpfPairs::pairEngineEntry>(
         dlsym(handle, "lpfPairEngine")
     );
     return *entry();

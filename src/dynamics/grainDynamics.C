@@ -12,10 +12,10 @@ namespace lpf
 namespace
 {
 
-using Vec3 = ::lpf::Vec<double>;
-using Tens = ::lpf::Tensor<double>;
-using Symm = ::lpf::SymmTensor<double>;
-using ::lpf::orderedSum;
+using Vec3 = lpfPairs::Vec<double>;
+using Tens = lpfPairs::Tensor<double>;
+using Symm = lpfPairs::SymmTensor<double>;
+using lpfPairs::orderedSum;
 
 //- A grain may come this near to the ground, as a share of the spacing
 constexpr scalar contactShare = 0.1;
@@ -57,7 +57,7 @@ void setSymm(realArrays<6>& a, int i, const Symm& t)
     }
 }
 
-::lpf::SymmTensor3<double> thirdMoment(const ::lpf::wallRecord& r)
+lpfPairs::SymmTensor3<double> thirdMoment(const lpfPairs::wallRecord& r)
 {
     const double* a = r.N3;
     return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
@@ -81,7 +81,7 @@ Tens tangential(double planarity, const Vec3& n)
 } // namespace
 
 grainDynamics::grainDynamics(
-    const ::lpf::pairEngine& engine,
+    const lpfPairs::pairEngine& engine,
     const sceneProperties& scene,
     const schemeProperties& scheme,
     const granularRheology& rheology,
@@ -131,9 +131,9 @@ void grainDynamics::volumes()
     grains.rho.pad(n, 1);
 }
 
-::lpf::kinematicsPass grainDynamics::kinematicsPass() const
+lpfPairs::kinematicsPass grainDynamics::kinematicsPass() const
 {
-    ::lpf::kinematicsPass p = {};
+    lpfPairs::kinematicsPass p = {};
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -147,12 +147,12 @@ void grainDynamics::volumes()
     return p;
 }
 
-::lpf::wallPass grainDynamics::wallPass()
+lpfPairs::wallPass grainDynamics::wallPass()
 {
     const int n = grains.size();
     slot_.resize(n);
 
-    ::lpf::wallPass p = {};
+    lpfPairs::wallPass p = {};
     p.cells = cells_.grid;
     contact_.present(p);
     nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
@@ -172,10 +172,10 @@ void grainDynamics::volumes()
     return p;
 }
 
-::lpf::forcePass grainDynamics::forcePass()
+lpfPairs::forcePass grainDynamics::forcePass()
 {
-    const ::lpf::kinematicsPass k = kinematicsPass();
-    ::lpf::forcePass p = {};
+    const lpfPairs::kinematicsPass k = kinematicsPass();
+    lpfPairs::forcePass p = {};
     p.cells = k.cells;
     p.h = k.h;
     p.dimensions = k.dimensions;
@@ -216,7 +216,7 @@ void grainDynamics::volumes()
 // for the mirror would halve the shear of a layer that slides.
 void grainDynamics::gradient()
 {
-    ::lpf::forChunks(
+    lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
         {
@@ -238,7 +238,7 @@ void grainDynamics::gradient()
                 }
 
                 const auto slot = static_cast<std::size_t>(slot_[i]);
-                const ::lpf::wallRecord& wall = walls_[slot];
+                const lpfPairs::wallRecord& wall = walls_[slot];
                 nearWall& near = near_[slot];
                 const auto N3 = thirdMoment(wall);
                 const double* D = wall.D2;
@@ -276,7 +276,7 @@ void grainDynamics::gradient()
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
-    ::lpf::forChunks(
+    lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
         {
@@ -312,7 +312,7 @@ void grainDynamics::stressMoment()
 
 void grainDynamics::addGroundAndGravity()
 {
-    ::lpf::forChunks(
+    lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
         {
@@ -340,7 +340,7 @@ void grainDynamics::rates(scalar dt, scalar time)
     sort();
     volumes();
 
-    ::lpf::kinematicsPass k = kinematicsPass();
+    lpfPairs::kinematicsPass k = kinematicsPass();
     for (std::size_t c = 0; c < 9; ++c)
     {
         k.R[c] = grains.L[c].data();
@@ -523,7 +523,7 @@ void grainDynamics::drift(scalar dt, scalar time)
             bool look = false;
             if (slot_[i] >= 0)
             {
-                const ::lpf::wallRecord& wall
+                const lpfPairs::wallRecord& wall
                     = walls_[static_cast<std::size_t>(slot_[i])];
                 const vector n(
                     wall.normal[0], wall.normal[1], wall.normal[2]
@@ -533,7 +533,7 @@ void grainDynamics::drift(scalar dt, scalar time)
             for (int tries = 0; look && tries < 4; ++tries)
             {
                 const groundHit hit
-                    = contact_.signedDistance(x, scene_.spacing, time);
+                    = contact_.signedDistance(x, scene_.spacing);
                 look = hit.found && hit.distance < closest;
                 if (!look)
                 {
@@ -634,7 +634,7 @@ void grainDynamics::removeLeavers(scalar time)
 timeStepLimit grainDynamics::stableDeltaT() const
 {
     const scalar speed = maxSpeed();
-    const scalar acceleration = sqrt(::lpf::largest(
+    const scalar acceleration = sqrt(lpfPairs::largest(
         grains.size(), [&](int i) { return magSqr(at(grains.a, i)); }
     ));
 
@@ -690,9 +690,19 @@ vector grainDynamics::wallForceSum() const
     return total;
 }
 
+lpfPairs::exactSum grainDynamics::mass() const
+{
+    lpfPairs::exactSum total;
+    for (int i = 0; i < grains.size(); ++i)
+    {
+        total.add(grains.mass[i]);
+    }
+    return total;
+}
+
 scalar grainDynamics::maxSpeed() const
 {
-    return sqrt(::lpf::largest(
+    return sqrt(lpfPairs::largest(
         grains.size(), [&](int i) { return magSqr(at(grains.U, i)); }
     ));
 }
@@ -722,7 +732,7 @@ scalar grainDynamics::movingMassShare(scalar threshold) const
 std::size_t grainDynamics::bytes() const
 {
     return grains.bytes() + order_.bytes() + slot_.bytes()
-        + walls_.capacity() * sizeof(::lpf::wallRecord)
+        + walls_.capacity() * sizeof(lpfPairs::wallRecord)
         + near_.capacity() * sizeof(nearWall)
         + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes();
 }

@@ -37,7 +37,7 @@ void forState(Store& s, const Task& task)
 template<class Array>
 void gather(Array& field, Array& spare, const indexArray& order, int n)
 {
-    ::lpf::forChunks(
+    lpfPairs::forChunks(
         n,
         [&](int begin, int end, int)
         {

@@ -45,7 +45,7 @@ groundZone readZone(const dictionary& dict)
 } // namespace
 
 groundContact::groundContact(
-    const ground& theGround,
+    ground& theGround,
     const dictionary& boundaryProperties,
     scalar elementSpacing,
     scalar planeThickness,
@@ -104,6 +104,13 @@ void groundContact::update(scalar time, const cellLattice& lattice)
         return;
     }
     nextChange_ = nextOpening(time);
+    for (std::size_t k = 0; k < zones_.size(); ++k)
+    {
+        if (zones_[k].opensAt <= time)
+        {
+            ground_.removeZone(ground_.zones()[static_cast<label>(k)]);
+        }
+    }
 
     const surfaceElements all = ground_.elements(elementSpacing_);
     const boundBox box = ground_.bounds();
@@ -121,11 +128,6 @@ void groundContact::update(scalar time, const cellLattice& lattice)
     }
     forAll(all.x, q)
     {
-        const groundZone& z = zones_[static_cast<std::size_t>(all.zone[q])];
-        if (z.opensAt <= time)
-        {
-            continue;
-        }
         const scalar A = mag(all.nA[q]);
         point at = all.x[q];
         if (planeThickness_ > 0)
@@ -171,7 +173,7 @@ std::size_t groundContact::bytes() const
     return 8 * area_.bytes() + cells_.start.size() * sizeof(int);
 }
 
-void groundContact::present(::lpf::wallPass& pass) const
+void groundContact::present(lpfPairs::wallPass& pass) const
 {
     pass.elements = cells_.grid;
     // a cyclic direction has no images of the ground: it extends beyond
@@ -190,14 +192,10 @@ void groundContact::present(::lpf::wallPass& pass) const
 }
 
 groundHit
-groundContact::signedDistance(const point& x, scalar radius, scalar time) const
+groundContact::signedDistance(const point& x, scalar radius) const
 {
     groundHit hit = ground_.signedDistance(x, radius);
-    if (hit.found)
-    {
-        const groundZone& z = zones_[static_cast<std::size_t>(hit.zone)];
-        hit.found = z.opensAt > time;
-    }
+    hit.found = hit.found && !hit.border;
     return hit;
 }
 

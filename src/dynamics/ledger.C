@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ledger.H"
 
-#include "OStringStream.H"
+#include "wordList.H"
 
 namespace Foam
 {
@@ -42,6 +42,8 @@ void forVectorSums(Balance& b, const Task& task)
     task("initialMomentum", b.initial.momentum);
 }
 
+const char* const massNames[2] = {"initialMass", "leftMass"};
+
 } // namespace
 
 dictionary balance::state() const
@@ -51,6 +53,12 @@ dictionary balance::state() const
     forVectorSums(
         *this, [&](const char* name, const vector& v) { d.set(name, v); }
     );
+    const lpfPairs::exactSum* masses[2] = {&initialMass, &leftMass};
+    for (int k = 0; k < 2; ++k)
+    {
+        const auto text = masses[k]->text();
+        d.set(massNames[k], wordList(text.begin(), text.end()));
+    }
     return d;
 }
 
@@ -60,6 +68,14 @@ void balance::restore(const dictionary& d)
     forVectorSums(
         *this, [&](const char* name, vector& v) { d.readEntry(name, v); }
     );
+    lpfPairs::exactSum* masses[2] = {&initialMass, &leftMass};
+    for (int k = 0; k < 2; ++k)
+    {
+        const wordList words(d.get<wordList>(massNames[k]));
+        auto text = masses[k]->text();
+        std::copy(words.begin(), words.end(), text.begin());
+        masses[k]->fromText(text);
+    }
 }
 
 } // namespace lpf

@@ -11,7 +11,7 @@ namespace lpf
 namespace
 {
 
-using Moment = ::lpf::SymmTensor<double>;
+using Moment = lpfPairs::SymmTensor<double>;
 
 //- The last leading minor; the others by reference
 double minors(const Moment& M, double& first, double& second)

@@ -14,7 +14,7 @@
 #error "LPF_ISA names the instruction set of this build"
 #endif
 
-namespace lpf
+namespace lpfPairs
 {
 namespace
 {
@@ -34,7 +34,7 @@ Vec<pack> broadcast(const double* x, const double* y, const double* z, int i)
 
 double sum(const Vec<pack>& a, int component)
 {
-    return lpf::sum(component == 0 ? a.x : component == 1 ? a.y : a.z);
+    return lpfPairs::sum(component == 0 ? a.x : component == 1 ? a.y : a.z);
 }
 
 //- Walk the packs of all runs; term(j, x_ij, rSqr, near) where a lane is near
@@ -102,7 +102,7 @@ LPF_ONE_BODY void kinematicsOfParticle(
     const pack* M = &total.M.xx;
     for (int c = 0; c < 6; ++c)
     {
-        p.M[c][i] = lpf::sum(M[c]);
+        p.M[c][i] = lpfPairs::sum(M[c]);
     }
 }
 
@@ -191,7 +191,7 @@ LPF_ONE_BODY void forceOnParticle(
     }
     if constexpr (viscous)
     {
-        p.viscousPower[i] = p.m[i] * lpf::sum(power);
+        p.viscousPower[i] = p.m[i] * lpfPairs::sum(power);
     }
 }
 
@@ -260,15 +260,15 @@ void store(const WallSums<pack>& from, wallRecord& to)
     const pack* N3 = &from.N3.xxx;
     for (int c = 0; c < 10; ++c)
     {
-        to.N3[c] = lpf::sum(N3[c]);
+        to.N3[c] = lpfPairs::sum(N3[c]);
     }
     const pack* D2 = &from.D2.xx;
     for (int c = 0; c < 6; ++c)
     {
-        to.D2[c] = lpf::sum(D2[c]);
+        to.D2[c] = lpfPairs::sum(D2[c]);
     }
-    to.area = lpf::sum(from.area);
-    to.friction = lpf::sum(from.friction);
+    to.area = lpfPairs::sum(from.area);
+    to.friction = lpfPairs::sum(from.friction);
 }
 
 LPF_ONE_BODY void wallOfParticle(
@@ -372,7 +372,7 @@ double peak()
     double used = 0;
     for (int k = 0; k < chains; ++k)
     {
-        used += lpf::sum(a[k]);
+        used += lpfPairs::sum(a[k]);
     }
     const double count = 1.0 * chains * repeats * nLanes;
     return used > 0 ? count / t.count() : 0;
@@ -382,10 +382,10 @@ const pairEngine engine = {
     LPF_ISA, nLanes, kinematics, anyForce, wall, wallSlots, peak};
 
 } // namespace
-} // namespace lpf
+} // namespace lpfPairs
 
-extern "C" __attribute__((visibility("default"))) const lpf::pairEngine*
+extern "C" __attribute__((visibility("default"))) const lpfPairs::pairEngine*
 lpfPairEngine()
 {
-    return &lpf::engine;
+    return &lpfPairs::engine;
 }

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runControl.H"
+
+#include "inputCheck.H"
+
+#include "OSspecific.H"
+#include "Time.H"
+
+#include <csignal>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+// set by a signal handler, which may do no more
+volatile std::sig_atomic_t signalled = 0;
+
+void onSignal(int number)
+{
+    signalled = number;
+}
+
+} // namespace
+
+void runControl::catchSignals()
+{
+    for (const int number : {SIGTERM, SIGUSR1, SIGUSR2})
+    {
+        std::signal(number, onSignal);
+    }
+}
+
+bool runControl::asked() const
+{
+    return signalled != 0 || stopAt_ == "writeNow";
+}
+
+runControl::runControl(const fileName& caseDir)
+:
+    caseDir_(caseDir)
+{
+    const fileName file(caseDir / "system" / "controlDict");
+    const dictionary dict(readDictionary(file));
+    wordList valid(controlDictKeywords());
+    valid.append("logInterval");
+    allowOnly(dict, valid);
+    stamp_ = Foam::lastModified(file);
+    readTimes(dict);
+
+    format_.format(IOstream::formatEnum(
+        readChoice(dict, "writeFormat", {"ascii", "binary"}, "binary")
+    ));
+    format_.compression(dict.getOrDefault<Switch>("writeCompression", false)
+        ? IOstreamOption::COMPRESSED : IOstreamOption::UNCOMPRESSED);
+    if (format_.format() == IOstream::ASCII)
+    {
+        WarningInFunction
+            << "writeFormat ascii keeps " << dict.getOrDefault<label>("writePrecision", 6)
+            << " digits: a restart will not go on with the same bits. "
+            << "Write binary for that" << endl;
+    }
+
+    bounds precision;
+    precision.lower = 1;
+    precision.upper = 17;
+    precision.reason = "a double has at most 17 digits";
+    timePrecision_ = label(
+        readNumber(dict, "timePrecision", dimless, precision, 6)
+    );
+    purgeWrite_ = dict.getOrDefault<label>("purgeWrite", 0);
+    modifiable_ = dict.getOrDefault<Switch>("runTimeModifiable", true);
+    if (!dict.getOrDefault<Switch>("adjustTimeStep", true))
+    {
+        refuse(
+            dict, "adjustTimeStep",
+            "The time step follows the stability limits, a fixed one would "
+            "blow up or waste time; write yes, and maxDeltaT for an upper "
+            "bound"
+        );
+    }
+    bounds positive;
+    positive.lower = 0;
+    positive.lowerOpen = true;
+    positive.reason = "a time step is positive";
+    maxDeltaT = readNumber(dict, "maxDeltaT", dimTime, positive, GREAT);
+    chooseStart(dict);
+}
+
+void runControl::readTimes(const dictionary& dict)
+{
+    bounds positive;
+    positive.lower = 0;
+    positive.lowerOpen = true;
+    positive.reason = "a run needs an end and an interval above zero, in s";
+
+    stopAt_ = readChoice(
+        dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"},
+        "endTime"
+    );
+    endTime_ = readNumber(dict, "endTime", dimTime, positive);
+    writeControl_ = readChoice(
+        dict, "writeControl", {"adjustableRunTime", "runTime", "timeStep"}
+    );
+    writeInterval_ = readNumber(
+        dict, "writeInterval",
+        writeControl_ == "timeStep" ? dimless : dimTime, positive
+    );
+}
+
+void runControl::chooseStart(const dictionary& dict)
+{
+    const word from = readChoice(
+        dict, "startFrom", {"startTime", "firstTime", "latestTime"},
+        "latestTime"
+    );
+    const instantList times(Time::findTimes(caseDir_));
+    instantList present;
+    for (const instant& t : times)
+    {
+        if (t.name() != "constant"
+            && isDir(caseDir_ / t.name() / "lagrangian"))
+        {
+            present.append(t);
+        }
+    }
+    if (present.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no time with particles in " << caseDir_
+            << ". Run terrainToParticles first" << exit(FatalIOError);
+    }
+
+    if (from == "latestTime")
+    {
+        startTime_ = present.last().value();
+    }
+    else if (from == "firstTime")
+    {
+        startTime_ = present.first().value();
+    }
+    else
+    {
+        bounds any;
+        startTime_ = readNumber(dict, "startTime", dimTime, any, 0);
+        const label nearest = Time::findClosestTimeIndex(present, startTime_);
+        if (mag(present[nearest].value() - startTime_)
+            > 1e-6 * max(mag(startTime_), scalar(1)))
+        {
+            refuse(
+                dict, "startTime",
+                "There are no particles at this time; nearest: "
+                    + present[nearest].name()
+            );
+        }
+    }
+    time = startTime_;
+}
+
+word runControl::timeName(scalar t) const
+{
+    for (label digits = timePrecision_; digits < 17; ++digits)
+    {
+        const word name(Time::timeName(t, int(digits)));
+        if (mag(std::stod(name) - t) <= 1e-3 * deltaT)
+        {
+            return name;
+        }
+    }
+    return Time::timeName(t, 17);
+}
+
+bool runControl::running() const
+{
+    if (asked() || stopAt_ == "noWriteNow"
+        || (stopAt_ == "nextWrite" && atWriteTime_))
+    {
+        return false;
+    }
+    return time < endTime_;
+}
+
+void runControl::readIfModified()
+{
+    const fileName file(caseDir_ / "system" / "controlDict");
+    const time_t now = Foam::lastModified(file);
+    if (modifiable_ && now != stamp_)
+    {
+        stamp_ = now;
+        readTimes(readDictionary(file));
+        Info << "controlDict changed: stopAt " << stopAt_ << ", endTime "
+             << endTime_ << ", writeInterval " << writeInterval_ << nl;
+    }
+}
+
+scalar runControl::step(scalar stable)
+{
+    scalar dt = min(stable, maxDeltaT);
+    if (unrestricted > 0)
+    {
+        dt = min(dt, 1.1 * unrestricted);
+    }
+    unrestricted = dt;
+
+    // the next time to meet exactly; the last steps before it are made equal
+    scalar next = endTime_;
+    if (writeControl_ == "adjustableRunTime")
+    {
+        next = min(
+            next, writeInterval_ * (floor(time / writeInterval_ + 1e-9) + 1)
+        );
+    }
+    const scalar steps = ceil((next - time) / dt - 1e-9);
+    deltaT = steps <= 3 ? (next - time) / steps : dt;
+    return deltaT;
+}
+
+void runControl::advance()
+{
+    const scalar before = time;
+    time += deltaT;
+    ++index;
+
+    // no rounding may pile up: a time that was aimed at is met to the bit
+    const scalar nearest = writeInterval_ * round(time / writeInterval_);
+    if (writeControl_ == "timeStep")
+    {
+        atWriteTime_ = index % label(writeInterval_) == 0;
+    }
+    else
+    {
+        if (mag(time - nearest) < 1e-6 * deltaT)
+        {
+            time = nearest;
+        }
+        atWriteTime_ = floor(time / writeInterval_ + 1e-9)
+            > floor(before / writeInterval_ + 1e-9);
+    }
+    if (mag(time - endTime_) < 1e-6 * deltaT)
+    {
+        time = endTime_;
+    }
+}
+
+bool runControl::writeNow() const
+{
+    return atWriteTime_ || asked() || time >= endTime_;
+}
+
+void runControl::purge() const
+{
+    if (purgeWrite_ <= 0)
+    {
+        return;
+    }
+    const instantList times(Time::findTimes(caseDir_));
+    label kept = 0;
+    for (label k = times.size() - 1; k >= 0; --k)
+    {
+        if (times[k].name() != "constant" && times[k].value() > 0
+            && ++kept > purgeWrite_)
+        {
+            rmDir(caseDir_ / times[k].name());
+        }
+    }
+}
+
+} // namespace lpf
+} // namespace Foam
