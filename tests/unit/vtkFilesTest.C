@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ground.H"
 #include "sampleCase.H"
 #include "timeSeries.H"
 #include "vtkFiles.H"
@@ -24,6 +25,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 using namespace Foam;
@@ -55,32 +57,120 @@ blockOf(vtkMultiBlockDataSet* blocks, const std::vector<std::string>& path)
 }
 
 
-//- Largest difference of values; the OpenFOAM reader keeps floats
-scalar difference(vtkDataArray* array, const UList<vector>& expected)
+//- Largest difference of values, relative to the largest value
+template<class T>
+scalar difference(vtkDataArray* array, const UList<T>& expected)
 {
+    constexpr int n = int(sizeof(T) / sizeof(scalar));
     REQUIRE(array);
     REQUIRE(array->GetNumberOfTuples() == expected.size());
-    REQUIRE(array->GetNumberOfComponents() == 3);
-    scalar largest = 0;
+    REQUIRE(array->GetNumberOfComponents() == n);
+    scalar largest = VSMALL;
+    scalar error = 0;
     forAll (expected, i)
     {
-        for (direction d = 0; d < 3; ++d)
+        const auto* x = reinterpret_cast<const scalar*>(&expected[i]);
+        for (int d = 0; d < n; ++d)
         {
-            largest = std::max(
-                largest, std::abs(array->GetComponent(i, d) - expected[i][d])
-            );
+            largest = std::max(largest, std::abs(x[d]));
+            error = std::max(error, std::abs(array->GetComponent(i, d) - x[d]));
         }
     }
-    return largest;
+    return error / largest;
 }
 
 
-fileName touched(const fileName& caseDir)
+//- A case as ParaView's OpenFOAM reader shows it, from <case>/case.foam.
+//  The reader keeps floats
+class caseInReader
 {
-    const fileName file(caseDir / "case.foam");
-    const std::ofstream make(file);
-    return file;
-}
+    vtkNew<vtkOpenFOAMReader> reader_;
+
+public:
+    explicit caseInReader(const fileName& caseDir)
+    {
+        const fileName file(caseDir / "case.foam");
+        {
+            const std::ofstream make(file);
+        }
+        reader_->SetFileName(file.c_str());
+        reader_->UpdateInformation();
+        // a part of the case that the user can choose, clouds chosen already
+        CHECK(reader_->GetPatchArrayStatus("patch/terrain") == 0);
+        reader_->EnableAllPatchArrays();
+        reader_->EnableAllLagrangianArrays();
+    }
+
+    label nTimes() const
+    {
+        return label(reader_->GetTimeValues()->GetNumberOfTuples());
+    }
+
+    void showTime(const scalar time) const
+    {
+        reader_->SetTimeValue(time);
+        reader_->Update();
+    }
+
+    void
+    compareGround(const pointField& points, const faceList& triangles) const
+    {
+        vtkPolyData* seen =
+            blockOf(reader_->GetOutput(), {"boundary", "terrain"});
+        REQUIRE(seen);
+        REQUIRE(seen->GetNumberOfCells() == triangles.size());
+        // the reader numbers the points of a patch anew
+        scalar error = 0;
+        forAll (triangles, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                const double* x =
+                    seen->GetPoint(seen->GetCell(i)->GetPointId(k));
+                const point given = points[triangles[i][k]];
+                error = std::max(error, mag(given - point(x[0], x[1], x[2])));
+            }
+        }
+        CHECK(error <= 1e-7 * boundBox(points, false).mag());
+    }
+
+    void compareCloud(const word& name, const cloudState& cloud) const
+    {
+        vtkPolyData* seen = blockOf(reader_->GetOutput(), {"lagrangian", name});
+        REQUIRE(seen);
+        CHECK(seen->GetNumberOfCells() == cloud.size());
+        CHECK(
+            difference<vector>(seen->GetPoints()->GetData(), cloud.positions)
+            < 1e-7
+        );
+        vtkPointData* data = seen->GetPointData();
+        forAllConstIters (cloud.scalars, i)
+        {
+            INFO(i.key());
+            CHECK(
+                difference<scalar>(data->GetArray(i.key().c_str()), *i) < 1e-7
+            );
+        }
+        forAllConstIters (cloud.vectors, i)
+        {
+            INFO(i.key());
+            CHECK(
+                difference<vector>(data->GetArray(i.key().c_str()), *i) < 1e-7
+            );
+        }
+        const labelField& id = cloud.labels["id"];
+        REQUIRE(data->GetArray("id"));
+        forAll (id, i)
+        {
+            REQUIRE(data->GetArray("id")->GetComponent(i, 0) == id[i]);
+        }
+        REQUIRE(data->GetArray("sigma"));
+        CHECK(
+            data->GetArray("sigma")->GetComponent(3, 2)
+            == Approx(cloud.symmTensors["sigma"][3].zz())
+        );
+    }
+};
 
 
 vtkSmartPointer<vtkPolyData> readVtp(const fileName& file)
@@ -119,52 +209,62 @@ TEST_CASE("OpenFOAM reader of ParaView: ground and cloud as we wrote them")
     const temporaryFolder folder;
     const label n = 500;
     writeSampleCase(folder.path(), n, IOstreamOption(format));
-
-    vtkNew<vtkOpenFOAMReader> reader;
-    reader->SetFileName(touched(folder.path()).c_str());
-    reader->UpdateInformation();
-    CHECK(reader->GetTimeValues()->GetNumberOfTuples() == 2);
-    CHECK(reader->GetPatchArrayStatus("patch/terrain") == 0);
-    CHECK(reader->GetPatchArrayStatus("lagrangian/grains") == 1);
-    reader->EnableAllPatchArrays();
-    reader->EnableAllLagrangianArrays();
-    reader->SetTimeValue(0.5);
-    reader->Update();
-
-    vtkPolyData* terrain =
-        blockOf(reader->GetOutput(), {"boundary", "terrain"});
-    REQUIRE(terrain);
     pointField points;
     faceList triangles;
     sampleGround(points, triangles);
-    REQUIRE(terrain->GetNumberOfCells() == triangles.size());
-    forAll (triangles, i)
+
+    const caseInReader seen(folder.path());
+    CHECK(seen.nTimes() == 2);
+    seen.showTime(0.5);
+    seen.compareGround(points, triangles);
+    const cloudState cloud = readCloud(folder.path() / "0.5", "grains");
+    CHECK(cloud.size() == n);
+    seen.compareCloud("grains", cloud);
+}
+
+
+// For tests/cases/quick/foamTools: not run unless asked for by the tag
+TEST_CASE("OpenFOAM reader of ParaView: the case LPF_CASE", "[.case]")
+{
+    REQUIRE(std::getenv("LPF_CASE"));
+    const fileName caseDir(std::getenv("LPF_CASE"));
+    const caseInReader seen(caseDir);
+    const autoPtr<ground> terrain = ground::read(caseDir);
+    pointField points;
+    faceList triangles;
+    labelList zone;
+    terrain().triangles(points, triangles, zone);
+    REQUIRE(triangles.size() <= 200000);
+
+    for (const fileName& dir : readDir(caseDir, fileName::DIRECTORY))
     {
-        // the reader numbers the points of a patch anew
-        for (label k = 0; k < 3; ++k)
+        scalar time;
+        if (!readScalar(dir, time))
         {
-            const point x = points[triangles[i][k]];
-            const double* seen =
-                terrain->GetPoint(terrain->GetCell(i)->GetPointId(k));
-            CHECK(x == point(seen[0], seen[1], seen[2]));
+            continue;
+        }
+        seen.showTime(time);
+        seen.compareGround(points, triangles);
+        for (const word& cloud : cloudNames(caseDir / dir))
+        {
+            const cloudState state = readCloud(caseDir / dir, cloud);
+            std::cout << "Time = " << dir << ": " << state.size()
+                      << " particles of " << cloud << ", " << triangles.size()
+                      << " triangles\n";
+            seen.compareCloud(cloud, state);
         }
     }
+}
 
-    vtkPolyData* grains =
-        blockOf(reader->GetOutput(), {"lagrangian", "grains"});
-    REQUIRE(grains);
-    const cloudState cloud = readCloud(folder.path() / "0.5", "grains");
-    CHECK(grains->GetNumberOfCells() == n);
-    CHECK(difference(grains->GetPoints()->GetData(), cloud.positions) < 1e-7);
-    vtkPointData* data = grains->GetPointData();
-    CHECK(difference(data->GetArray("U"), cloud.vectors["U"]) < 1e-7);
-    REQUIRE(data->GetArray("id"));
-    CHECK(data->GetArray("id")->GetComponent(3, 0) == n - 4);
-    REQUIRE(data->GetArray("sigma"));
-    CHECK(data->GetArray("sigma")->GetNumberOfComponents() == 6);
-    CHECK(
-        data->GetArray("sigma")->GetComponent(3, 2)
-        == Approx(cloud.symmTensors["sigma"][3].zz())
+
+TEST_CASE("write a sample case into LPF_CASE", "[.writeCase]")
+{
+    REQUIRE(std::getenv("LPF_CASE"));
+    const bool ascii = std::getenv("LPF_ASCII");
+    writeSampleCase(
+        std::getenv("LPF_CASE"),
+        2000,
+        IOstreamOption(ascii ? IOstreamOption::ASCII : IOstreamOption::BINARY)
     );
 }
 
@@ -179,10 +279,10 @@ TEST_CASE("vtkFiles: large coordinates and all fields come back exactly")
 
     CHECK(grains->GetNumberOfVerts() == 100);
     const vectorField global(cloud.positions + frame.origin);
-    CHECK(difference(grains->GetPoints()->GetData(), global) == 0);
+    CHECK(difference<vector>(grains->GetPoints()->GetData(), global) == 0);
     vtkPointData* data = grains->GetPointData();
     CHECK(data->GetNumberOfArrays() == 5);
-    CHECK(difference(data->GetArray("U"), cloud.vectors["U"]) == 0);
+    CHECK(difference<vector>(data->GetArray("U"), cloud.vectors["U"]) == 0);
     vtkDataArray* sigma = data->GetArray("sigma");
     REQUIRE(sigma);
     CHECK(std::string(sigma->GetComponentName(3)) == "XY");
