@@ -240,15 +240,9 @@ void grainDynamics::gradient()
                 const auto slot = static_cast<std::size_t>(slot_[i]);
                 const lpfPairs::wallRecord& wall = walls_[slot];
                 nearWall& near = near_[slot];
+                const Vec3 v = vecAt(grains.U, i);
                 const auto N3 = thirdMoment(wall);
                 const double* D = wall.D2;
-                const Symm B = momentInverse(
-                    M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]}
-                );
-                const Symm Nv = N3 & vecAt(grains.U, i);
-                const Tens mirrored
-                    = (R + full(Nv + Nv)) & full(B); // (T 4.3)
-
                 const Vec3 nA = contracted(N3);
                 const double magnitude = std::sqrt(magSqr(nA));
                 near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
@@ -259,6 +253,24 @@ void grainDynamics::gradient()
                     = wall.area > 0 ? wall.friction / wall.area : 0;
                 near.Bp = momentInverse(M);
 
+                // the ground neither holds a grain back nor stretches it:
+                // in tension it is not there for a grain that moves away
+                const Tens sigma = full(symmAt(grains.sigma, i));
+                const bool tension = ((N3 && sigma) & near.n) > 0;
+                near.closed = !(tension && (v & near.n) > 0);
+                if (!near.closed)
+                {
+                    setSymm(grains.B, i, near.Bp);
+                    setTensor(grains.L, i, R & full(near.Bp));
+                    continue;
+                }
+
+                const Symm B = momentInverse(
+                    M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]}
+                );
+                const Symm Nv = N3 & v;
+                const Tens mirrored
+                    = (R + full(Nv + Nv)) & full(B); // (T 4.3)
                 const Tens P = tangential(near.planarity, near.n);
                 setSymm(grains.B, i, B);
                 setTensor(
@@ -291,6 +303,13 @@ void grainDynamics::stressMoment()
                 }
                 const auto slot = static_cast<std::size_t>(slot_[i]);
                 nearWall& near = near_[slot];
+                near.f = {0, 0, 0};
+                near.carried = false;
+                if (!near.closed)
+                {
+                    setTensor(grains.L, i, sigmaB);
+                    continue;
+                }
                 const Tens P = tangential(near.planarity, near.n);
                 const Tens mirrored = sigmaB - (P & sigmaB);
 
