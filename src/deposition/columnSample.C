@@ -26,14 +26,34 @@ inline scalar shape(const scalar q)
     return s * s * s * s * (2 * q + 1);
 }
 
+//- The particle as far as its shares are concerned
+struct plume
+{
+    point x;
+    scalar h;
+    bool isGrounded; //!< gives to cells with ground only
+};
+
+
 //- Points of the cells: an endless lattice, n a side in each cell
 class cellPoints
 {
     const planGrid& grid_;
+    const groundOnGrid& bed_;
     label n_[2];
     scalar step_[2];
 
-    //- Points of one axis within reach of x, as a half-open range
+    scalar lower(const int axis) const
+    {
+        return axis == 0 ? grid_.x0 : grid_.y0;
+    }
+
+    scalar side(const int axis) const
+    {
+        return axis == 0 ? grid_.dx : grid_.dy;
+    }
+
+    //- Cells of one axis within reach of x, as a half-open range
     std::pair<label, label>
     range(const int axis, const scalar x, const scalar reach) const
     {
@@ -41,66 +61,78 @@ class cellPoints
         {
             return {0, 1};
         }
-        const scalar lower = axis == 0 ? grid_.x0 : grid_.y0;
-        const scalar p = (x - lower) / step_[axis] - 0.5;
-        const scalar r = reach / step_[axis];
-        return {label(std::floor(p - r)), label(std::ceil(p + r)) + 1};
+        const scalar p = (x - lower(axis)) / side(axis);
+        const scalar r = reach / side(axis);
+        return {label(std::floor(p - r)), label(std::ceil(p + r))};
     }
 
     //- Offset of point k of an axis from x; nothing varies along flat
     scalar offset(const int axis, const label k, const scalar x) const
     {
-        const scalar lower = axis == 0 ? grid_.x0 : grid_.y0;
-        return grid_.flat == axis ? 0
-                                  : lower + (scalar(k) + 0.5) * step_[axis] - x;
+        return grid_.flat == axis
+                 ? 0
+                 : lower(axis) + (scalar(k) + 0.5) * step_[axis] - x;
     }
 
-    template<class Ranges>
-    scalar sum(const point& x, const scalar h, const Ranges& r) const
+    //- Beyond the grid nothing is known of the ground
+    bool takes(const label i, const label j, const plume& from) const
     {
-        scalar total = 0;
-        for (label k = r[1].first; k < r[1].second; ++k)
-        {
-            const scalar sy = sqr(offset(1, k, x.y()));
-            for (label l = r[0].first; l < r[0].second; ++l)
-            {
-                total += shape(sqrt(sy + sqr(offset(0, l, x.x()))) / h);
-            }
-        }
-        return total;
+        const bool known = i >= 0 && i < grid_.nx && j >= 0 && j < grid_.ny;
+        return !from.isGrounded || !known
+            || hasValue(bed_.elevation[grid_.index(i, j)]);
     }
 
 public:
-    cellPoints(const planGrid& grid, const scalar hMin) : grid_(grid)
+    cellPoints(const planGrid& grid, const groundOnGrid& bed, const scalar hMin)
+        : grid_(grid), bed_(bed)
     {
-        const scalar side[2] = {grid.dx, grid.dy};
         for (int axis = 0; axis < 2; ++axis)
         {
             n_[axis] =
                 axis == grid.flat
                     ? 1
-                    : max(label(1), label(std::ceil(2 * side[axis] / hMin)));
-            step_[axis] = side[axis] / scalar(n_[axis]);
+                    : max(label(1), label(std::ceil(2 * side(axis) / hMin)));
+            step_[axis] = side(axis) / scalar(n_[axis]);
         }
     }
 
-    //- Over all points, of the grid and beyond
-    scalar sumAll(const point& x, const scalar h) const
+    //- Over the points of one cell
+    scalar sumCell(const label i, const label j, const plume& from) const
     {
-        const std::pair<label, label> r[2] = {
-            range(0, x.x(), 2 * h), range(1, x.y(), 2 * h)};
-        return sum(x, h, r);
+        if (!takes(i, j, from))
+        {
+            return 0;
+        }
+        scalar total = 0;
+        for (label k = j * n_[1]; k < (j + 1) * n_[1]; ++k)
+        {
+            const scalar sy = sqr(offset(1, k, from.x.y()));
+            for (label l = i * n_[0]; l < (i + 1) * n_[0]; ++l)
+            {
+                const scalar sx = sqr(offset(0, l, from.x.x()));
+                total += shape(sqrt(sx + sy) / from.h);
+            }
+        }
+        return total;
     }
 
-    //- Over the points of one cell
-    scalar
-    sumCell(const label i, const label j, const point& x, const scalar h) const
+    //- Over all points, of the grid and beyond
+    scalar sumAll(const plume& from) const
     {
-        const std::pair<label, label> r[2] = {
-            {i * n_[0], (i + 1) * n_[0]}, {j * n_[1], (j + 1) * n_[1]}};
-        return sum(x, h, r);
+        const auto columns = range(0, from.x.x(), 2 * from.h);
+        const auto rows = range(1, from.x.y(), 2 * from.h);
+        scalar total = 0;
+        for (label j = rows.first; j < rows.second; ++j)
+        {
+            for (label i = columns.first; i < columns.second; ++i)
+            {
+                total += sumCell(i, j, from);
+            }
+        }
+        return total;
     }
 };
+
 
 //- Particles by plan bins at least as wide as their reach
 class planBins
@@ -219,9 +251,10 @@ class cellGather
     const planGrid& grid_;
     const cloudSample& sample_;
     const scalarField& heights_;
-    const cellPoints& points_;
-    const scalarField& sumAll_;
+    const cellPoints points_;
     const scalarField size_;
+    List<plume> plumes_;
+    scalarField sumAll_;
 
     std::vector<segment> column_;
 
@@ -233,13 +266,12 @@ public:
 
     cellGather(
         const planGrid& grid,
+        const groundOnGrid& bed,
         const cloudSample& sample,
-        const scalarField& heights,
-        const cellPoints& points,
-        const scalarField& sumAll
+        const scalarField& heights
     )
-        : grid_(grid), sample_(sample), heights_(heights), points_(points),
-          sumAll_(sumAll),
+        : grid_(grid), sample_(sample), heights_(heights),
+          points_(grid, bed, min(sample.h)),
           // Side of the cube, or of the square in a plane strain scene
           size_(
               grid.flat < 0
@@ -247,8 +279,21 @@ public:
                   : scalarField(
                       sqrt(sample.volume / (grid.flat == 0 ? grid.dx : grid.dy))
                   )
-          )
+          ),
+          plumes_(sample.size()), sumAll_(sample.size())
     {
+        forAll (plumes_, p)
+        {
+            plume& from = plumes_[p];
+            from = {sample.x[p], sample.h[p], hasValue(heights[p])};
+            sumAll_[p] = points_.sumAll(from);
+            if (sumAll_[p] <= 0)
+            {
+                // On a tip of ground that no cell centre sees
+                from.isGrounded = false;
+                sumAll_[p] = points_.sumAll(from);
+            }
+        }
     }
 
     void clear()
@@ -275,8 +320,7 @@ public:
         {
             return;
         }
-        const scalar share =
-            points_.sumCell(i, j, x, sample_.h[p]) / sumAll_[p];
+        const scalar share = points_.sumCell(i, j, plumes_[p]) / sumAll_[p];
         if (share <= 0)
         {
             return;
@@ -303,6 +347,7 @@ public:
 
 columnSample sampleColumns(
     const planGrid& grid,
+    const groundOnGrid& bed,
     const cloudSample& sample,
     const scalarField& heights,
     const scalar present
@@ -316,15 +361,8 @@ columnSample sampleColumns(
     }
 
     const scalar reach = 2 * max(sample.h);
-    const cellPoints points(grid, min(sample.h));
     const planBins bins(grid, sample.x, reach);
-    scalarField sumAll(sample.size());
-    forAll (sumAll, p)
-    {
-        sumAll[p] = points.sumAll(sample.x[p], sample.h[p]);
-    }
-
-    cellGather cell(grid, sample, heights, points, sumAll);
+    cellGather cell(grid, bed, sample, heights);
     for (label c = 0; c < grid.size(); ++c)
     {
         const label i = c % grid.nx, j = c / grid.nx;

@@ -166,16 +166,12 @@ depositionControls readDepositionControls(
         above(0, "it is the side of a cell of the maps"),
         scales.spacing
     );
-    bounds margin = above(0, "it is the room around the particles");
-    margin.lowerOpen = false;
-    // Beyond 2 h no particle is felt
-    controls.margin = readNumber(
-        dict,
-        "margin",
-        dimLength,
-        margin,
-        2 * scales.smoothingLength + controls.cellSize
-    );
+    if (dict.found("margin"))
+    {
+        bounds margin = above(0, "it is the room around the particles");
+        margin.lowerOpen = false;
+        controls.margin = readNumber(dict, "margin", dimLength, margin);
+    }
     if (dict.found("extent"))
     {
         readExtent(dict, controls);
@@ -197,6 +193,29 @@ depositionControls readDepositionControls(
 }
 
 
+namespace
+{
+
+//- Margin given; else beyond 2 h, where no particle is felt any more, and a
+//  twentieth of each side so that the map shows where the deposit lies
+vector roomAround(
+    const depositionControls& controls,
+    const releaseScales& scales,
+    const boundBox& particles
+)
+{
+    if (controls.margin >= 0)
+    {
+        return vector(controls.margin, controls.margin, 0);
+    }
+    const scalar least = 2 * scales.smoothingLength + controls.cellSize;
+    const vector part = 0.05 * particles.span();
+    return vector(max(least, part.x()), max(least, part.y()), 0);
+}
+
+} // namespace
+
+
 planGrid sampleGrid(
     const depositionControls& controls,
     const releaseScales& scales,
@@ -204,7 +223,7 @@ planGrid sampleGrid(
     const point& origin
 )
 {
-    const vector room(controls.margin, controls.margin, 0);
+    const vector room(roomAround(controls, scales, particles));
     const point low = controls.hasExtent ? controls.extent.min() - origin
                                          : particles.min() - room;
     const point high = controls.hasExtent ? controls.extent.max() - origin

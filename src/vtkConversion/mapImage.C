@@ -121,8 +121,35 @@ scalarField relief(const mapContent& map)
 }
 
 
-//- Bilinear value of cells at a position in units of cells between centres
-scalar at(const mapContent& map, const scalarField& f, scalar p, scalar q)
+//- The four cells around a position and their weights. Cells without ground
+//  and deposit have none: the layer in a flume does not fade out beyond its
+//  walls. Nothing is painted where the nearest cell is one of those
+struct stencil
+{
+    label cell[4];
+    scalar weight[4];
+    bool isPainted;
+
+    scalar operator()(const scalarField& f) const
+    {
+        scalar sum = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+            sum += weight[k] > 0 ? weight[k] * f[cell[k]] : 0;
+        }
+        return sum;
+    }
+};
+
+
+bool isKnown(const mapContent& map, const label c)
+{
+    return map.ground[c] > map.noGround || map.value[c] > 0;
+}
+
+
+//- p, q: position in units of cells from the lower left centre
+stencil around(const mapContent& map, scalar p, scalar q)
 {
     p = std::clamp(p, scalar(0), scalar(map.nx - 1));
     q = std::clamp(q, scalar(0), scalar(map.ny - 1));
@@ -131,8 +158,22 @@ scalar at(const mapContent& map, const scalarField& f, scalar p, scalar q)
     const label right = map.nx > 1 ? 1 : 0, up = map.ny > 1 ? map.nx : 0;
     const label c = i + map.nx * j;
     const scalar a = p - scalar(i), b = q - scalar(j);
-    return (1 - b) * ((1 - a) * f[c] + a * f[c + right])
-         + b * ((1 - a) * f[c + up] + a * f[c + up + right]);
+
+    stencil s{
+        {c, c + right, c + up, c + up + right},
+        {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b},
+        isKnown(map, c + (a > 0.5 ? right : 0) + (b > 0.5 ? up : 0))};
+    scalar total = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+        s.weight[k] = isKnown(map, s.cell[k]) ? s.weight[k] : 0;
+        total += s.weight[k];
+    }
+    for (scalar& w : s.weight)
+    {
+        w = total > 0 ? w / total : 0;
+    }
+    return s;
 }
 
 
@@ -148,17 +189,22 @@ void paintCells(
     {
         for (label x = label(place.x0); x < label(place.x1) + 1; ++x)
         {
-            const scalar p =
-                (scalar(x) + 0.5 - place.x0) / (place.scale * map.dx) - 0.5;
-            const scalar q =
-                (scalar(y) + 0.5 - place.y0) / (place.scale * map.dy) - 0.5;
-            const scalar grey = at(map, shade, p, q);
-            const scalar value = at(map, map.value, p, q);
+            const stencil near = around(
+                map,
+                (scalar(x) + 0.5 - place.x0) / (place.scale * map.dx) - 0.5,
+                (scalar(y) + 0.5 - place.y0) / (place.scale * map.dy) - 0.5
+            );
+            if (!near.isPainted)
+            {
+                continue;
+            }
+            const scalar grey = near(shade);
+            const scalar value = near(map.value);
             colour ink{grey, grey, grey};
             if (value > map.valueFrom)
             {
-                // A tenth of the relief shows through, the colour stays that
-                // of the bar
+                // A little of the relief shows through, the colour stays
+                // that of the bar
                 const scalar light = min(1.0, 1 + 0.2 * (grey - levelShade));
                 const colour c = viridis(value / top);
                 ink = {light * c.r, light * c.g, light * c.b};
@@ -397,7 +443,7 @@ void paintColourBar(
         }),
         {dark, 1.5, 0}
     );
-    const scalar step = roundStep(top, label(place.barHeight / 45));
+    const scalar step = roundStep(top, label(place.barHeight / 34));
     for (const scalar v : ticks(0, top, step))
     {
         const scalar y = y0 + v / top * (y1 - y0);

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "caseSampler.H"
+
+#include "crs.H"
+#include "inputCheck.H"
+#include "polyline.H"
+
+#include "DynamicList.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+caseSampler::caseSampler(
+    const fileName& caseDir,
+    const dictionary& dict,
+    const instantList& all,
+    const instantList& selected
+)
+    : caseDir_(caseDir), dict_(dict), scales_(readReleaseScales(caseDir)),
+      controls_(readDepositionControls(dict, scales_, caseDir.name())),
+      bed_(ground::read(caseDir))
+{
+    findTimes(all, selected);
+    findClouds();
+    grid_ = sampleGrid(controls_, scales_, particleBox(), bed_->origin());
+    bedCells_ = sampleGround(*bed_, grid_);
+    readPaths();
+
+    Info << "Cells: " << grid_.nx << " x " << grid_.ny << " of " << grid_.dx;
+    if (grid_.dx != grid_.dy)
+    {
+        Info << " x " << grid_.dy;
+    }
+    Info << " m; times: " << times_.size() << " from " << times_.first().name()
+         << " to " << times_.last().name() << " s" << nl << endl;
+    if (controls_.outlineAbove < present())
+    {
+        Info << "Note: the outline at " << controls_.outlineAbove
+             << " m is thinner than half a particle (spacing "
+             << scales_.spacing << " m): it runs around the outermost "
+             << "particles, its place is certain to 2 h = "
+             << 2 * scales_.smoothingLength << " m" << nl << endl;
+    }
+}
+
+
+void caseSampler::findTimes(const instantList& all, const instantList& selected)
+{
+    const auto hasClouds = [&](const instant& t)
+    { return isDir(caseDir_ / t.name() / "lagrangian"); };
+
+    DynamicList<instant> found;
+    for (const instant& t : selected)
+    {
+        if (hasClouds(t))
+        {
+            found.append(t);
+        }
+    }
+    times_.transfer(found);
+    if (times_.empty())
+    {
+        FatalErrorInFunction
+            << "no time folder selected in " << caseDir_
+            << " holds a cloud (<time>/lagrangian)." << nl
+            << "Run terrainToParticles and lpfSolver first, or select other "
+            << "times." << exit(FatalError);
+    }
+    for (const instant& t : all)
+    {
+        if (hasClouds(t))
+        {
+            releaseDir_ = caseDir_ / t.name();
+            break;
+        }
+    }
+}
+
+
+void caseSampler::findClouds()
+{
+    const wordList there(cloudNames(caseDir_ / times_.last().name()));
+    clouds_ = controls_.clouds.empty() ? there : controls_.clouds;
+    string names;
+    for (const word& cloud : there)
+    {
+        names += " " + cloud;
+    }
+    for (const word& cloud : clouds_)
+    {
+        if (!there.found(cloud))
+        {
+            refuse(
+                dict_,
+                "clouds",
+                "there is no cloud " + cloud + " in time folder "
+                    + times_.last().name() + "; there are:" + names
+            );
+        }
+    }
+}
+
+
+boundBox caseSampler::particleBox() const
+{
+    boundBox box(boundBox::invertedBox);
+    const auto add = [&](const fileName& timeDir)
+    {
+        for (const word& cloud : clouds_)
+        {
+            box.add(readCloud(timeDir, cloud).positions);
+        }
+    };
+    // The extent given is enough, unless the axis of plane strain is needed
+    if (controls_.hasExtent)
+    {
+        add(releaseDir_);
+        return box;
+    }
+    add(releaseDir_);
+    for (const instant& t : times_)
+    {
+        add(caseDir_ / t.name());
+    }
+    if (!box.valid())
+    {
+        FatalErrorInFunction << "the clouds hold no particle"
+                             << exit(FatalError);
+    }
+    return box;
+}
+
+
+pointField caseSampler::pathVertices(const pathControls& path) const
+{
+    pointField vertices(path.points);
+    if (!path.file.empty())
+    {
+        const dictionary& context = dict_.subDict("paths").subDict(path.name);
+        const fileName file =
+            path.file.isAbsolute() ? path.file : caseDir_ / path.file;
+        const polyline line = readPolyline(file, path.where, context);
+        if (!line.crs.empty() && !bed_->crs().empty()
+            && !sameCrs(line.crs, bed_->crs()))
+        {
+            refuse(
+                context,
+                "file",
+                "path " + path.name + " has the coordinates "
+                    + crsName(line.crs) + ", the ground has "
+                    + crsName(bed_->crs())
+                    + ": they do not lie on each other; reproject the path, "
+                      "e.g. with ogr2ogr -t_srs"
+            );
+        }
+        vertices.resize(line.points.size());
+        forAll (vertices, k)
+        {
+            vertices[k] = point(line.points[k].x(), line.points[k].y(), 0);
+        }
+    }
+    const point origin(bed_->origin().x(), bed_->origin().y(), 0);
+    return vertices - origin;
+}
+
+
+void caseSampler::readPaths()
+{
+    paths_.resize(controls_.paths.size());
+    forAll (controls_.paths, k)
+    {
+        const pathControls& path = controls_.paths[k];
+        const pathLine line{
+            path.name, pathVertices(path), path.length, scales_.spacing};
+        paths_.set(
+            k,
+            new runoutPath(
+                line, *bed_, dict_.subDict("paths").subDict(path.name)
+            )
+        );
+    }
+}
+
+
+cloudSample caseSampler::read(const fileName& timeDir, const word& cloud) const
+{
+    return sampleOf(
+        readCloud(timeDir, cloud),
+        cloud,
+        readPhaseDensity(caseDir_, cloud),
+        scales_
+    );
+}
+
+
+timeRecord caseSampler::record(
+    const scalar time, const cloudSample& particles, const columnSample& now
+) const
+{
+    timeRecord row{time, totals(particles), 0, 0, 0, 0, {}};
+    row.maxThickness = max(max(now.thicknessVertical), scalar(0));
+    forAll (now.thicknessVertical, c)
+    {
+        row.maxDepth = hasValue(bedCells_.elevation[c])
+                         ? max(row.maxDepth, now.depth[c])
+                         : row.maxDepth;
+        if (now.thicknessVertical[c] > controls_.outlineAbove)
+        {
+            row.areaAbove += grid_.cellArea();
+            row.volumeAbove += now.thicknessVertical[c] * grid_.cellArea();
+        }
+    }
+    const scalarField shares(scalarList({0.95, 0.99}));
+    for (const runoutPath& path : paths_)
+    {
+        const scalarField fronts(
+            path.massFronts(particles.x, particles.mass, shares)
+        );
+        pathFronts all;
+        all[0] = path.front(grid_, now.thicknessVertical, present());
+        all[1] = fronts[0];
+        all[2] = fronts[1];
+        row.fronts.append(all);
+    }
+    return row;
+}
+
+
+deposit caseSampler::sample(const word& cloud) const
+{
+    deposit result{
+        cloud,
+        caseDir_,
+        controls_,
+        scales_,
+        dict_,
+        *bed_,
+        grid_,
+        bedCells_,
+        paths_,
+        depositionFields(grid_.size()),
+        scalarField(),
+        {}};
+    const auto columns = [&](const cloudSample& particles)
+    {
+        return sampleColumns(
+            grid_,
+            bedCells_,
+            particles,
+            heightsAbove(*bed_, particles.x),
+            present()
+        );
+    };
+    for (const instant& t : times_)
+    {
+        const fileName timeDir = caseDir_ / t.name();
+        const cloudSample particles(read(timeDir, cloud));
+        const columnSample now(columns(particles));
+        result.fields.add(t.value(), now, bedCells_, present());
+        result.records.append(record(t.value(), particles, now));
+        if (timeDir == releaseDir_)
+        {
+            result.releaseThickness = now.thicknessVertical;
+        }
+        if (now.volumeOutside > 1e-9 * now.volumeInside)
+        {
+            WarningInFunction << "Time " << t.name() << ": "
+                              << now.volumeOutside << " m3 of cloud " << cloud
+                              << " lie outside of the extent; "
+                              << "no map shows them" << endl;
+        }
+    }
+    if (result.releaseThickness.empty())
+    {
+        result.releaseThickness =
+            columns(read(releaseDir_, cloud)).thicknessVertical;
+    }
+    return result;
+}
+
+} // namespace lpf
+} // namespace Foam

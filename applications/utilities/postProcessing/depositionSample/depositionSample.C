@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*
+Application  depositionSample
+Description  Deposit maps and tables of a case: thickness, depth, maxima,
+             arrival, fronts along paths, outline, scores against observed
+             areas, as GeoTIFF, vector file, CSV and PNG.
+Usage        depositionSample [-case <dir>] [-dict <file>]
+                 [-time <ranges>] [-latestTime] [-noZero]
+             Reads  system/depositionSampleDict, constant/terrain,
+                    constant/releaseProperties, constant/phaseProperties,
+                    <time>/lagrangian/<cloud>
+             Writes postProcessing/deposition/<first time sampled>/, anew and
+                    as a whole; with more clouds than one a folder for each
+             Manual etc/caseDicts/annotated/depositionSampleDict
+*/
+#include "argList.H"
+#include "Time.H"
+#include "timeSelector.H"
+
+#include "caseSampler.H"
+#include "inputCheck.H"
+#include "productFolder.H"
+#include "products.H"
+
+using namespace Foam;
+
+namespace
+{
+
+fileName dictionaryFile(const argList& args)
+{
+    const fileName file = args.getOrDefault<fileName>(
+        "dict", args.path() / "system" / "depositionSampleDict"
+    );
+    return file.isAbsolute() ? file : cwd() / file;
+}
+
+} // namespace
+
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Deposit maps and tables of the written times");
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption(
+        "dict", "file", "Read another file than system/depositionSampleDict"
+    );
+    timeSelector::addOptions(false, false);
+    const argList args(argc, argv);
+    if (!args.checkRootCase())
+    {
+        return 1;
+    }
+    Time runTime(Time::controlDictName, args);
+    const instantList selected = timeSelector::select0(runTime, args);
+
+    const dictionary dict = lpf::readDictionary(dictionaryFile(args));
+    const lpf::caseSampler sampler(
+        args.path(), dict, runTime.times(), selected
+    );
+    lpf::productFolder folder(
+        args.path() / "postProcessing" / "deposition", sampler.startTime()
+    );
+    for (const word& cloud : sampler.clouds())
+    {
+        const lpf::deposit result = sampler.sample(cloud);
+        lpf::writeProducts(folder.path(cloud, sampler.clouds()), result);
+    }
+    folder.commit();
+    Info << "Written: " << folder.name() << nl << nl << "End" << nl << endl;
+    return 0;
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "products.H"
+
+#include "axisTicks.H"
+#include "crs.H"
+#include "mapImage.H"
+#include "plotImage.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+const colour black{0.05, 0.05, 0.05};
+const colour red{0.84, 0.1, 0.1};
+const colour blue{0.1, 0.35, 0.85};
+const colour grey{0.35, 0.35, 0.35};
+
+
+//- All rings, closed
+List<pointField> closedLines(const polygonSet& areas)
+{
+    DynamicList<pointField> lines;
+    for (const polygon& area : areas.polygons)
+    {
+        for (const ring& points : area.rings)
+        {
+            pointField line(points.size() + 1);
+            forAll (line, k)
+            {
+                const point2D& x = points[k % points.size()];
+                line[k] = point(x.x(), x.y(), 0);
+            }
+            lines.append(line);
+        }
+    }
+    return List<pointField>(std::move(lines));
+}
+
+
+pointField pathLineOf(const deposit& result, const runoutPath& path)
+{
+    const label n = 400;
+    pointField line(n + 1);
+    forAll (line, k)
+    {
+        line[k] = path.position(path.planLength() * scalar(k) / n)
+                + result.bed.origin();
+    }
+    return line;
+}
+
+
+List<mapLines> linesOf(const deposit& result, const findings& found)
+{
+    const string above = threeDigits(result.controls.outlineAbove) + " m";
+    DynamicList<mapLines> lines;
+    for (const runoutPath& path : result.paths)
+    {
+        lines.append(
+            {"path " + path.name(),
+             List<pointField>(1, pathLineOf(result, path)),
+             {grey, 2.0, 5}}
+        );
+    }
+    forAll (found.observed, k)
+    {
+        lines.append(
+            {"observed: " + found.scores[k].name,
+             closedLines(found.observed[k]),
+             {blue, 2.6, 0}}
+        );
+    }
+    lines.append(
+        {"release above " + above, closedLines(found.release), {red, 2.6, 12}}
+    );
+    lines.append(
+        {"deposit above " + above, closedLines(found.outline), {black, 2.6, 0}}
+    );
+    return List<mapLines>(std::move(lines));
+}
+
+
+string volumeText(const scalar volume)
+{
+    return volume >= 1e6 ? threeDigits(1e-6 * volume) + " million m\u00b3"
+                         : threeDigits(volume) + " m\u00b3";
+}
+
+
+stringList captionOf(const deposit& result, const findings& found)
+{
+    const timeRecord& last = result.records.last();
+    const depositionFields& fields = result.fields;
+    DynamicList<string> lines;
+    lines.append(
+        "t = " + threeDigits(last.time) + " s, last of "
+        + Foam::name(result.records.size()) + " written times from "
+        + threeDigits(result.records.first().time) + " s.  Bulk volume "
+        + volumeText(last.total.volume) + ", " + volumeText(last.volumeAbove)
+        + " of it above " + threeDigits(result.controls.outlineAbove) + " m on "
+        + threeDigits(found.outline.area()) + " m\u00b2."
+    );
+    lines.append(
+        "Largest depth " + threeDigits(last.maxDepth) + " m, of all times "
+        + threeDigits(max(fields.maxDepth)) + " m.  Largest speed of the "
+        + "depth average " + threeDigits(max(fields.maxSpeed))
+        + " m/s; mean speed now " + threeDigits(last.total.meanSpeed) + " m/s."
+    );
+    forAll (result.paths, p)
+    {
+        const pathFronts& front = last.fronts[p];
+        const auto metres = [](const scalar s)
+        { return hasValue(s) ? threeDigits(s) + " m" : string("none"); };
+        lines.append(
+            "Path " + result.paths[p].name() + ", "
+            + (result.paths[p].length() == pathLength::plan
+                   ? "plan length"
+                   : "length along the surface")
+            + ": front " + metres(front[0]) + ", 95 % of the mass "
+            + metres(front[1]) + ", 99 % " + metres(front[2]) + "."
+        );
+    }
+    for (const observedScore& score : found.scores)
+    {
+        lines.append(
+            "Observed area " + score.name
+            + ": CSI = TP/(TP + FP + FN) = " + threeDigits(score.csi) + "."
+        );
+    }
+    lines.append(
+        "Particle spacing " + threeDigits(result.scales.spacing) + " m, cells "
+        + threeDigits(result.grid.dx)
+        + " m.  Thickness: kernel-smoothed bulk volume per plan area."
+    );
+    return stringList(std::move(lines));
+}
+
+
+void writeDepositMap(
+    const fileName& file, const deposit& result, const findings& found
+)
+{
+    mapContent map;
+    map.nx = result.grid.nx;
+    map.ny = result.grid.ny;
+    map.dx = result.grid.dx;
+    map.dy = result.grid.dy;
+    map.x0 = result.grid.x0 + result.bed.origin().x();
+    map.y0 = result.grid.y0 + result.bed.origin().y();
+    map.ground = result.bedCells.elevation;
+    map.noGround = 0.5 * noValue;
+    for (scalar& z : map.ground)
+    {
+        z += hasValue(z) ? result.bed.origin().z() : 0;
+    }
+    map.value = result.fields.thicknessVertical;
+    map.valueFrom =
+        min(result.controls.outlineAbove, 0.5 * result.scales.spacing);
+    map.valueTitle = "Thickness, vertical [m]";
+    map.lines = linesOf(result, found);
+    map.title = result.controls.title + ": deposit of " + result.cloud
+              + " at t = " + threeDigits(result.records.last().time) + " s";
+    map.caption = captionOf(result, found);
+    map.crs = result.bed.crs().empty() ? string() : crsName(result.bed.crs());
+    writeMap(file, map, result.controls.mapWidth);
+}
+
+
+void writeCurves(const fileName& file, const deposit& result)
+{
+    const List<timeRecord>& rows = result.records;
+    scalarField time(rows.size());
+    forAll (rows, k)
+    {
+        time[k] = rows[k].time;
+    }
+    const auto curve = [&](const string& name, const auto& value)
+    {
+        plotCurve c{name, time, scalarField(rows.size())};
+        forAll (rows, k)
+        {
+            c.y[k] = value(rows[k]);
+        }
+        return c;
+    };
+    plotPanel fronts, speeds;
+    fronts.yTitle = "distance along the path [m]";
+    const char* names[] = {"front", "95 % of the mass", "99 % of the mass"};
+    forAll (result.paths, p)
+    {
+        for (label f = 0; f < 3; ++f)
+        {
+            fronts.curves.append(curve(
+                result.paths.size() > 1
+                    ? result.paths[p].name() + ": " + names[f]
+                    : string(names[f]),
+                [p, f](const timeRecord& r) { return r.fronts[p][f]; }
+            ));
+        }
+    }
+    speeds.yTitle = "speed [m/s]";
+    speeds.curves.append(curve(
+        "fastest particle", [](const timeRecord& r) { return r.total.maxSpeed; }
+    ));
+    speeds.curves.append(curve(
+        "mean of the mass",
+        [](const timeRecord& r) { return r.total.meanSpeed; }
+    ));
+    plotContent plot;
+    plot.title =
+        result.controls.title + ": run-out and speed of " + result.cloud;
+    plot.xTitle = "time [s]";
+    if (!fronts.curves.empty())
+    {
+        plot.panels.append(fronts);
+    }
+    plot.panels.append(speeds);
+    plot.noPoint = 0.5 * noValue;
+    writePlot(file, plot);
+}
+
+} // namespace
+
+
+void writePictures(
+    const fileName& folder, const deposit& result, const findings& found
+)
+{
+    if (result.grid.flat < 0)
+    {
+        writeDepositMap(folder / "map.png", result, found);
+    }
+    else
+    {
+        Info << "Plane strain: no map, see the profiles along the paths" << nl;
+    }
+    if (result.records.size() > 1)
+    {
+        writeCurves(folder / "curves.png", result);
+    }
+    else
+    {
+        Info << "One time sampled: no curves against time" << nl;
+    }
+}
+
+} // namespace lpf
+} // namespace Foam
