@@ -70,6 +70,33 @@ bool isFlat(
     return mag(area(a, x[left[k]], c, n)) <= least;
 }
 
+// Do the edges from i and from k, that share no corner, meet?
+bool meet(const UList<point>& x, const label i, const label k, const vector& n)
+{
+    const point &a = x[i], &b = x[x.fcIndex(i)];
+    const point &c = x[k], &d = x[x.fcIndex(k)];
+    const auto sides = [&](scalar p, scalar q)
+    { return (p > 0 && q < 0) || (p < 0 && q > 0); };
+    return sides(area(a, b, c, n), area(a, b, d, n))
+        && sides(area(c, d, a, n), area(c, d, b, n));
+}
+
+
+bool crossesItself(const UList<point>& x, const vector& n)
+{
+    forAll (x, i)
+    {
+        for (label k = i + 2; k < x.size(); ++k)
+        {
+            if (x.fcIndex(k) != i && meet(x, i, k, n))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 
@@ -97,6 +124,10 @@ List<corners> triangulate(const UList<point>& outline)
     }
     const vector n = twice / mag(twice);
     const scalar least = 1e-12 * mag(twice);
+    if (crossesItself(outline, n))
+    {
+        return List<corners>();
+    }
     DynamicList<label> left(identity(outline.size()));
     while (left.size() > 3)
     {

@@ -41,14 +41,5 @@ void releaseRegion::place(const releaseScene& scene)
     scene_ = &scene;
 }
 
-
-bool isFree(const ground& bed, const point& x, const scalar spacing)
-{
-    // further than a spacing everything is free
-    const groundHit hit = bed.signedDistance(x, spacing);
-    return hit.found ? hit.distance >= leastWallDistance * spacing
-                     : !hit.border;
-}
-
 } // namespace lpf
 } // namespace Foam

@@ -177,55 +177,49 @@ vessel::columnGrid vessel::layOut() const
 }
 
 
-void vessel::appendFree(
-    const point& base, const scalar area, DynamicList<freeColumn>& columns
-) const
+scalar vessel::distance(const point& x) const
 {
-    const vector up = unitUp();
-    const scalar length = mag(frame_.edges[2]);
+    // far enough to know the side of every point
+    const scalar radius = 2 * (scene_->bed.bounds().mag() + plan().mag());
+    const groundHit hit = scene_->bed.signedDistance(x, radius);
+    return hit.found ? hit.distance : (hit.border ? -VSMALL : radius);
+}
+
+
+scalar vessel::reach(const point& x, const vector& e, const scalar length) const
+{
     const scalar shortest = scene_->grid.spacing / (4 * columnsPerSpacing);
-    const scalar radius = 2 * scene_->bed.bounds().mag() + length;
-    scalar t = 0, from = 0;
-    const auto distance = [&](const scalar s)
-    {
-        const groundHit hit = scene_->bed.signedDistance(base + s * up, radius);
-        return hit.found ? hit.distance : (hit.border ? -shortest : radius);
-    };
-    scalar d = distance(0);
-    bool inside = d >= 0;
+    scalar t = 0;
     while (t < length)
     {
-        // no ground is nearer than |d|
-        const scalar next = min(t + max(mag(d), shortest), length);
-        const scalar dNext = distance(next);
-        if ((dNext >= 0) != inside)
+        const scalar d = distance(x - t * e);
+        if (d < 0)
         {
-            scalar a = t, b = next;
-            for (label k = 0; k < 48; ++k)
-            {
-                const scalar m = 0.5 * (a + b);
-                ((distance(m) >= 0) == inside ? a : b) = m;
-            }
-            if (inside)
-            {
-                columns.append({base, area, from, a});
-            }
-            from = b;
-            inside = !inside;
+            break;
         }
-        t = next;
-        d = dNext;
+        // no ground is nearer than d
+        t = min(t + max(d, shortest), length);
     }
-    if (inside)
+    if (distance(x - t * e) >= 0)
     {
-        columns.append({base, area, from, length});
+        return length;
     }
+    // the last step went into the ground
+    scalar a = max(t - shortest, scalar(0)), b = t;
+    for (label k = 0; k < 48; ++k)
+    {
+        const scalar m = 0.5 * (a + b);
+        (distance(x - m * e) >= 0 ? a : b) = m;
+    }
+    return a;
 }
 
 
 List<vessel::freeColumn> vessel::freeColumns() const
 {
     const columnGrid grid = layOut();
+    const vector up = unitUp();
+    const scalar length = mag(frame_.edges[2]);
     DynamicList<freeColumn> columns;
     for (label j = 0; j < grid.n[1]; ++j)
     {
@@ -235,11 +229,10 @@ List<vessel::freeColumn> vessel::freeColumns() const
             const scalar t = grid.across == 1 ? grid.at : (j + 0.5) / grid.n[1];
             if (outline_.rings.empty() || outline_.contains(point2D(s, t)))
             {
-                appendFree(
-                    frame_.corner + s * frame_.edges[0] + t * frame_.edges[1],
-                    grid.area,
-                    columns
-                );
+                const point base =
+                    frame_.corner + s * frame_.edges[0] + t * frame_.edges[1];
+                const scalar free = reach(base + length * up, up, length);
+                columns.append({base, grid.area, length - free, length});
             }
         }
     }
@@ -304,6 +297,15 @@ scalar vessel::depth(const point& x) const
 }
 
 
+bool vessel::isFree(const point& x) const
+{
+    const scalar height =
+        (1 - frame_.coordinates(x).z()) * mag(frame_.edges[2]);
+    return distance(x) >= leastWallDistance * scene_->grid.spacing
+        && reach(x, -unitUp(), height) >= height;
+}
+
+
 void vessel::fill(DynamicList<seed>& seeds) const
 {
     const lattice& grid = scene_->grid;
@@ -328,7 +330,7 @@ void vessel::fill(DynamicList<seed>& seeds) const
             for (label i = range[0][0]; i <= range[0][1]; ++i)
             {
                 const point x = grid.centre({i, j, k});
-                if (contains(x) && isFree(scene_->bed, x, grid.spacing))
+                if (contains(x) && isFree(x))
                 {
                     seeds.append({x, depth(x), {i, j}});
                 }
