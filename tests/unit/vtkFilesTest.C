@@ -106,11 +106,7 @@ public:
         return label(reader_->GetTimeValues()->GetNumberOfTuples());
     }
 
-    void showTime(const scalar time) const
-    {
-        reader_->SetTimeValue(time);
-        reader_->Update();
-    }
+    void showTime(const scalar time) const { reader_->UpdateTimeStep(time); }
 
     void
     compareGround(const pointField& points, const faceList& triangles) const

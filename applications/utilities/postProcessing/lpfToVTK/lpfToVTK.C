@@ -175,7 +175,10 @@ int main(int argc, char* argv[])
 {
     describe();
     const argList args(argc, argv);
-    Time runTime(Time::controlDictName, args);
+    // without controlDict: all that is needed of it are the times
+    Time runTime(
+        args.rootPath(), args.caseName(), "system", "constant", false, false
+    );
     const fileName caseDir(runTime.globalPath());
 
     const autoPtr<ground> terrain = ground::read(caseDir);
