@@ -11,7 +11,8 @@ GENERAL_RULES = $(WM_DIR)/rules/General
 WM_SCRIPTS = $(WM_DIR)/scripts
 
 include $(GENERAL_RULES)/general
-include Make/options
+# As wmake has preprocessed them: the folder has been built before
+include Make/$(WM_OPTIONS)/options
 
 .PHONY: flags
 .DEFAULT_GOAL := flags
