@@ -304,7 +304,8 @@ void grainRun::openSeries()
         "plastic[J] separation[J] friction[J] viscous[J] projection[J] "
         "wallTension[J] leftEnergy[J] unexplained[J] momentumX[Ns] "
         "momentumY[Ns] momentumZ[Ns] unexplainedMomentum[Ns] maxSpeed[m/s] "
-        "movingMass[-] wallForceX[N] wallForceY[N] wallForceZ[N]"
+        "movingMass[-] wallForceX[N] wallForceY[N] wallForceZ[N] "
+        "wallImpulse[Ns] contactImpulse[Ns]"
     ));
     leaversFile_.reset(new seriesFile(
         dir, "left.dat",
@@ -344,10 +345,12 @@ void grainRun::step()
             << exit(FatalError);
     }
     const scalar dt = control_.step(limit_.deltaT);
-    if (report || control_.time + 1.5 * dt >= control_.endTime())
+    if (report || control_.writesAfterStep())
     {
         now_ = d.energy();
         d.ledger.peakKinetic = max(d.ledger.peakKinetic, now_.kinetic);
+        booked_ = d.ledger;
+        bookedAt_ = control_.time;
     }
     if (report)
     {
@@ -416,20 +419,21 @@ void grainRun::logStep()
 void grainRun::bookBalance()
 {
     grainDynamics& d = *dynamics_;
-    balance& b = d.ledger;
+    const balance& b = booked_;
     const vector wall = d.wallForceSum();
     const vector error = b.unexplainedMomentum(now_);
 
     balanceFile_->row(
-        {control_.time, d.mass().value(), b.leftMass.value(), now_.kinetic,
+        {bookedAt_, d.mass().value(), b.leftMass.value(), now_.kinetic,
          now_.potential, now_.elastic, b.plastic, b.separation, b.friction,
          b.viscous, b.projection, b.wallTension, b.left,
          b.unexplained(now_), now_.momentum.x(), now_.momentum.y(),
          now_.momentum.z(), mag(error), d.maxSpeed(),
-         d.movingMassShare(stop_.speed), wall.x(), wall.y(), wall.z()}
+         d.movingMassShare(stop_.speed), wall.x(), wall.y(), wall.z(),
+         b.wallNormalImpulse, b.projectionNormalImpulse}
     );
     const point& origin = ground_->origin();
-    for (const leaver& l : b.leavers)
+    for (const leaver& l : d.ledger.leavers)
     {
         const point at = l.at + origin;
         leaversFile_->row(
@@ -437,11 +441,11 @@ void grainRun::bookBalance()
              l.U.z(), l.mass}
         );
     }
-    b.leavers.clear();
+    d.ledger.leavers.clear();
 
     lpfPairs::exactSum accounted = d.mass();
-    accounted += b.leftMass;
-    massCloses_ = accounted == b.initialMass;
+    accounted += d.ledger.leftMass;
+    massCloses_ = accounted == d.ledger.initialMass;
 }
 
 void grainRun::write()
@@ -483,7 +487,7 @@ void grainRun::write()
 int grainRun::finish()
 {
     grainDynamics& d = *dynamics_;
-    const balance& b = d.ledger;
+    const balance& b = booked_;
     const scalar released = b.released(now_);
     const auto share = [&](scalar energy)
     {
@@ -499,10 +503,10 @@ int grainRun::finish()
     {
         Info << "Stopped as asked at time " << control_.time << " s" << nl;
     }
-    Info << nl << "Ledger at " << control_.time << " s" << nl
+    Info << nl << "Ledger at " << bookedAt_ << " s" << nl
          << "    mass        initial " << b.initialMass.value()
          << " kg, present " << d.mass().value() << " kg, left "
-         << b.leftMass.value() << " kg: "
+         << d.ledger.leftMass.value() << " kg: "
          << (massCloses_ ? "closes exactly" : "DOES NOT CLOSE") << nl
          << "    energy      released " << released << " J, of it" << nl
          << "        kinetic now     " << now_.kinetic << " J" << nl

@@ -218,6 +218,13 @@ scalar runControl::step(scalar stable)
     return deltaT;
 }
 
+bool runControl::writesAfterStep() const
+{
+    runControl after(*this);
+    after.advance();
+    return after.writeNow();
+}
+
 void runControl::advance()
 {
     const scalar before = time;

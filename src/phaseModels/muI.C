@@ -61,11 +61,14 @@ class muI : public pointwiseRheology<muI>
         return max(lowest, elastic_.K() * (rho / rhoRef - 1)); // (T 3.4)
     }
 
-    //- Deviatoric energy per volume
-    scalar shearEnergy(scalar SSqr) const
-    {
-        return SSqr / (2 * elastic_.G());
-    }
+    //- Energy that yield takes out of a volume in one step: the work of the
+    //  mean stress of the step, as the leapfrog does it, on the plastic strain
+    //  (s_tr - s)/(2 G)                                             (T 3.8)
+    scalar dissipation(
+        const SymmTensor<scalar>& sOld,
+        const SymmTensor<scalar>& s_tr,
+        const SymmTensor<scalar>& s
+    ) const;
 
     scalar yieldedStress(scalar S_tr, scalar p, scalar dt) const;
 
@@ -187,7 +190,24 @@ rotated(const SymmTensor<double>& s, const Tensor<double>& L, double dt)
     return symm(Q & full(s) & transpose(Q));
 }
 
+//- a:b
+double inner(const SymmTensor<double>& a, const SymmTensor<double>& b)
+{
+    return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz
+        + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+}
+
 } // namespace
+
+scalar muI::dissipation(
+    const SymmTensor<scalar>& sOld,
+    const SymmTensor<scalar>& s_tr,
+    const SymmTensor<scalar>& s
+) const
+{
+    const SymmTensor<double> plastic = s_tr + scaled(-1, s);
+    return inner(sOld + s, plastic) / (4 * elastic_.G()); // (T 3.8)
+}
 
 rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
 {
@@ -209,21 +229,18 @@ rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
         lost.separation -= p * (g.mass / rhoFree - V);
     }
 
+    const SymmTensor<double> sOld = rotated(deviator(g.sigma), g.L, dt);
     const SymmTensor<double> s_tr
-        = rotated(deviator(g.sigma), g.L, dt)
-        + scaled(2 * elastic_.G() * dt, devD); // (T 3.6)
-    const scalar SSqr_tr = 0.5 * magnitudeSqr(s_tr);
-    const scalar S_tr = sqrt(SSqr_tr);
+        = sOld + scaled(2 * elastic_.G() * dt, devD); // (T 3.6)
+    const scalar S_tr = sqrt(0.5 * magnitudeSqr(s_tr));
 
-    scalar S = S_tr;
+    SymmTensor<double> s = s_tr;
     if (S_tr > muS_ * p + cohesion_)
     {
-        S = yieldedStress(S_tr, p, dt);
-        const scalar loss = V * (shearEnergy(SSqr_tr) - shearEnergy(S * S));
-        (p > 0 ? lost.plastic : lost.separation) += loss;
+        s = scaled(yieldedStress(S_tr, p, dt) / S_tr, s_tr); // (T 3.7)
+        (p > 0 ? lost.plastic : lost.separation)
+            += V * dissipation(sOld, s_tr, s);
     }
-
-    const SymmTensor<double> s = scaled(S_tr > 0 ? S / S_tr : 0, s_tr);
     g.sigma = s + SymmTensor<double>{-p, 0, 0, -p, 0, -p};
     g.inertialNumber = p > 0
         ? sqrt(2 * magnitudeSqr(devD)) * diameter_ * sqrt(rhoGrain_ / p)
@@ -243,7 +260,7 @@ scalar muI::storedEnergyOf(const grainPoint& g) const
     const scalar opening
         = -lowest * (g.mass / g.rho - g.mass / rhoElastic);
     const scalar shear = g.mass / g.rho
-        * shearEnergy(0.5 * magnitudeSqr(deviator(g.sigma)));
+        * magnitudeSqr(deviator(g.sigma)) / (4 * elastic_.G());
     return bulk + (g.rho < rhoElastic ? opening : 0) + shear;
 }
 
