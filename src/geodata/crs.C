@@ -39,7 +39,7 @@ string crsFromText(const string& text, const dictionary& context)
     }
     char* wkt = nullptr;
     crs.exportToWkt(&wkt);
-    const string result(wkt ? wkt : "");
+    string result(wkt ? wkt : "");
     CPLFree(wkt);
     return result;
 }

@@ -198,6 +198,44 @@ void collectFeature(
     collect(*linear, value, into, together);
 }
 
+
+void refuseOverlap(
+    const OGRMultiPolygon& together,
+    const polygonQuery& query,
+    const dictionary& context
+)
+{
+    // above the rounding of areas far from the origin of the map
+    constexpr scalar overlapping = 1e-6;
+    const std::unique_ptr<OGRGeometry> all(together.UnionCascaded());
+    const scalar sum = together.get_Area();
+    if (all
+        && OGR_G_Area(OGRGeometry::ToHandle(all.get()))
+               < sum * (1 - overlapping))
+    {
+        refuseFile(
+            query,
+            context,
+            "polygons overlap; the thickness there would be ambiguous."
+            "\nMerge or cut them, or choose some by `where`."
+        );
+    }
+}
+
+
+string wktOf(OGRLayer& layer)
+{
+    string result;
+    if (const OGRSpatialReference* crs = layer.GetSpatialRef())
+    {
+        char* wkt = nullptr;
+        crs->exportToWkt(&wkt);
+        result = wkt ? wkt : "";
+        CPLFree(wkt);
+    }
+    return result;
+}
+
 } // namespace
 
 
@@ -322,13 +360,7 @@ polygonSet readPolygons(const polygonQuery& query, const dictionary& context)
                 "where \"" + query.where + "\": " + gdalScope::lastError()
             );
         }
-        if (const OGRSpatialReference* crs = layer.GetSpatialRef())
-        {
-            char* wkt = nullptr;
-            crs->exportToWkt(&wkt);
-            result.crs = wkt ? wkt : "";
-            CPLFree(wkt);
-        }
+        result.crs = wktOf(layer);
         DynamicList<polygon> found;
         OGRMultiPolygon together;
         for (const auto& item : layer)
@@ -347,18 +379,7 @@ polygonSet readPolygons(const polygonQuery& query, const dictionary& context)
                     + (query.where.empty() ? string() : " where " + query.where)
             );
         }
-        const std::unique_ptr<OGRGeometry> all(together.UnionCascaded());
-        const scalar sum = together.get_Area();
-        if (all
-            && OGR_G_Area(OGRGeometry::ToHandle(all.get())) < sum * (1 - 1e-9))
-        {
-            refuseFile(
-                query,
-                context,
-                "polygons overlap; the thickness there would be ambiguous."
-                "\nMerge or cut them, or choose some by `where`."
-            );
-        }
+        refuseOverlap(together, query, context);
     }
     requireMetres(result.crs, query.file, context);
     return result;

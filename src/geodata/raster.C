@@ -272,7 +272,7 @@ raster readRaster(
         );
         result.nx = cells.i1 - cells.i0;
         result.ny = cells.row1 - cells.row0;
-        if (double(result.nx) * result.ny > labelMax / 2)
+        if (double(result.nx) * result.ny > 0.5 * labelMax)
         {
             FatalIOErrorInFunction(context)
                 << file << " has " << result.nx << " x " << result.ny
@@ -299,20 +299,15 @@ raster readRaster(
 }
 
 
-void writeRaster(
-    const fileName& file, const raster& data, const rasterType type
-)
+namespace
 {
-    const gdalScope scope;
-    const auto failed = [&]
-    {
-        FatalErrorInFunction
-            << "Raster " << file
-            << " cannot be written: " << gdalScope::lastError() << '.' << nl
-            << "Is there room on the disk, and may you write there?"
-            << exit(FatalError);
-    };
-    const bool wide = type == rasterType::float64;
+
+constexpr double writtenNodata = -9999;
+
+
+datasetPtr
+createRaster(const fileName& file, const raster& data, const rasterType type)
+{
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     const char* options[] = {
         "COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", nullptr};
@@ -321,13 +316,9 @@ void writeRaster(
         data.nx,
         data.ny,
         1,
-        wide ? GDT_Float64 : GDT_Float32,
+        type == rasterType::float64 ? GDT_Float64 : GDT_Float32,
         const_cast<char**>(options)
     ));
-    if (!out)
-    {
-        failed();
-    }
     double t[6] = {
         data.x0 - 0.5 * data.dx,
         data.dx,
@@ -335,41 +326,68 @@ void writeRaster(
         data.y0 + (data.ny - 0.5) * data.dy,
         0,
         -data.dy};
-    constexpr double nodata = -9999;
-    GDALRasterBand& band = *out->GetRasterBand(1);
-    bool good = out->SetGeoTransform(t) == CE_None
-             && band.SetNoDataValue(nodata) == CE_None
-             && (data.crs.empty()
-                 || out->SetProjection(data.crs.c_str()) == CE_None);
+    const bool good =
+        out && out->SetGeoTransform(t) == CE_None
+        && out->GetRasterBand(1)->SetNoDataValue(writtenNodata) == CE_None
+        && (data.crs.empty() || out->SetProjection(data.crs.c_str()) == CE_None
+        );
+    return good ? std::move(out) : datasetPtr();
+}
+
+
+bool writeValues(GDALRasterBand& band, const raster& data)
+{
     std::vector<double> row(std::size_t(data.nx));
+    bool good = true;
     for (label j = 0; good && j < data.ny; ++j)
     {
         for (label i = 0; i < data.nx; ++i)
         {
             const label k = data.index(i, data.ny - 1 - j);
-            row[std::size_t(i)] = data.missing[k] ? nodata : data.values[k];
+            row[std::size_t(i)] =
+                data.missing[k] ? writtenNodata : data.values[k];
         }
-        good = band.RasterIO(
-                   GF_Write,
-                   0,
-                   j,
-                   data.nx,
-                   1,
-                   row.data(),
-                   data.nx,
-                   1,
-                   GDT_Float64,
-                   0,
-                   0,
-                   nullptr
-               )
-            == CE_None;
+        const CPLErr status = band.RasterIO(
+            GF_Write,
+            0,
+            j,
+            data.nx,
+            1,
+            row.data(),
+            data.nx,
+            1,
+            GDT_Float64,
+            0,
+            0,
+            nullptr
+        );
+        good = status == CE_None;
     }
-    // a full disk shows at the latest here
-    out->FlushCache();
+    return good;
+}
+
+} // namespace
+
+
+void writeRaster(
+    const fileName& file, const raster& data, const rasterType type
+)
+{
+    const gdalScope scope;
+    const datasetPtr out = createRaster(file, data, type);
+    const bool good = out && writeValues(*out->GetRasterBand(1), data);
+    if (good)
+    {
+        // a full disk shows at the latest here
+        out->FlushCache();
+    }
     if (!good || CPLGetLastErrorType() >= CE_Failure)
     {
-        failed();
+        FatalErrorInFunction
+            << "Raster " << file
+            << " cannot be written: " << gdalScope::lastError() << '.' << nl
+            << "Is there room on the disk, and may you write there?"
+            << exit(FatalError);
     }
 }
 

@@ -355,7 +355,11 @@ void heightField::surface(const label most, groundMesh& mesh) const
     // every n-th vertex of both directions; the far rows may be left out
     label stride = 1;
     const auto count = [&]
-    { return 2.0 * ((grid_.nx - 1) / stride) * ((grid_.ny - 1) / stride); };
+    {
+        const label nx = (grid_.nx - 1) / stride;
+        const label ny = (grid_.ny - 1) / stride;
+        return 2.0 * nx * ny;
+    };
     while (count() > most)
     {
         ++stride;

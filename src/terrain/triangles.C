@@ -103,7 +103,7 @@ void triangles::prepare()
     nodes_.clear();
     if (n)
     {
-        nodes_.reserve(std::size_t(2 * n));
+        nodes_.reserve(2 * std::size_t(n));
         buildNode(0, n);
     }
     findOpenEdges();

@@ -98,7 +98,7 @@ string raster::crsOf(const lpf::raster& heights) const
     {
         return heights.crs;
     }
-    const string given = crsFromText(dict_.get<string>("crs"), dict_);
+    string given = crsFromText(dict_.get<string>("crs"), dict_);
     if (!heights.crs.empty() && !sameCrs(given, heights.crs))
     {
         refuse(
