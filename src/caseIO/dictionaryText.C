@@ -98,6 +98,13 @@ public:
     }
 };
 
+
+struct openBracket
+{
+    char closing;
+    Foam::label line;
+};
+
 } // namespace
 
 
@@ -123,24 +130,90 @@ Foam::lpf::withoutComments(const std::string& text, const quoted strings)
 }
 
 
-void Foam::lpf::checkBrackets(const fileName& file)
+namespace
 {
-    struct bracket
+
+[[noreturn]] void
+stop(const Foam::fileName& file, const Foam::label line, const std::string& why)
+{
+    Foam::FatalIOError("", "", 0, file, line, -1)
+        << why.c_str() << Foam::exit(Foam::FatalIOError);
+    std::exit(1); // not reached; exit() above is not declared noreturn
+}
+
+
+//- OpenFOAM takes the rest of the file for the comment and says nothing
+void checkCommentsEnd(const Foam::fileName& file, const std::string& text)
+{
+    scanner scan(text);
+    std::size_t begin = 0;
+    while (!scan.end())
     {
-        char closing;
-        label line;
-    };
-    const std::string text = withoutComments(textOf(file), quoted::blank);
-    std::vector<bracket> open;
+        const bool wasPlain = !scan.inComment() && !scan.inString();
+        const std::size_t width = scan.piece();
+        begin = wasPlain ? scan.at() : begin;
+        scan.pass(width, wasPlain);
+    }
+    if (scan.inString() || (scan.inComment() && text[begin + 1] == '*'))
+    {
+        const auto lines = std::count(text.data(), text.data() + begin, '\n');
+        stop(
+            file,
+            static_cast<Foam::label>(1 + lines),
+            scan.inString() ? "the text that begins here does not end: write "
+                              "the missing quote, or #}"
+                            : "the comment that begins here does not end: "
+                              "write the missing */"
+        );
+    }
+}
+
+
+//- The bracket c of a line closes the last of those open
+void close(
+    std::vector<openBracket>& open,
+    const char c,
+    const Foam::fileName& file,
+    const Foam::label line
+)
+{
+    if (open.empty())
+    {
+        stop(
+            file,
+            line,
+            std::string("'") + c
+                + "' closes nothing: remove it, or write the bracket that it "
+                  "is to close"
+        );
+    }
+    const openBracket& last = open.back();
+    if (last.closing != c)
+    {
+        stop(
+            file,
+            line,
+            std::string("'") + c + "' found where '" + last.closing
+                + "' must close the bracket of line "
+                + std::to_string(last.line) + ": write the missing '"
+                + last.closing + "'"
+        );
+    }
+    open.pop_back();
+}
+
+} // namespace
+
+
+void Foam::lpf::checkText(const fileName& file)
+{
+    const std::string whole = textOf(file);
+    checkCommentsEnd(file, whole);
+    const std::string text = withoutComments(whole, quoted::blank);
+    std::vector<openBracket> open;
     label line = 1;
-    const auto stop = [&](const label at, const std::string& message)
+    for (const char c : text)
     {
-        FatalIOError("", "", 0, file, at, -1)
-            << message.c_str() << exit(FatalIOError);
-    };
-    for (std::size_t i = 0; i < text.size(); ++i)
-    {
-        const char c = text[i];
         line += c == '\n';
         // ${name} closes with a brace of its own and so needs no exception
         if (c == '{' || c == '(' || c == '[')
@@ -149,36 +222,16 @@ void Foam::lpf::checkBrackets(const fileName& file)
         }
         else if (c == '}' || c == ')' || c == ']')
         {
-            if (open.empty())
-            {
-                stop(
-                    line,
-                    std::string("'") + c
-                        + "' closes nothing: remove "
-                          "it, or write the bracket that it is to close"
-                );
-            }
-            if (open.back().closing != c)
-            {
-                stop(
-                    line,
-                    std::string("'") + c + "' found where '"
-                        + open.back().closing
-                        + "' must close the bracket of "
-                          "line "
-                        + std::to_string(open.back().line)
-                        + ": write the missing '" + open.back().closing + "'"
-                );
-            }
-            open.pop_back();
+            close(open, c, file, line);
         }
     }
     if (!open.empty())
     {
         stop(
+            file,
             open.back().line,
-            std::string("the bracket opened here is never "
-                        "closed: write the missing '")
+            std::string("the bracket opened here is never closed: write the "
+                        "missing '")
                 + open.back().closing + "'"
         );
     }

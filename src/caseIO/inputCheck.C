@@ -301,6 +301,56 @@ bool isCoeffs(
     return false;
 }
 
+
+//- While OpenFOAM parses: its errors come here, since some know neither file
+//  nor line and some end with abort
+class throwingErrors
+{
+    const bool io_ = FatalIOError.throwExceptions();
+    const bool plain_ = FatalError.throwExceptions();
+
+public:
+    throwingErrors() = default;
+    throwingErrors(const throwingErrors&) = delete;
+    throwingErrors& operator=(const throwingErrors&) = delete;
+    ~throwingErrors() { restore(); }
+
+    void restore() const
+    {
+        FatalIOError.throwExceptions(io_);
+        FatalError.throwExceptions(plain_);
+    }
+};
+
+
+//- What to do about an error that OpenFOAM found
+const char* remedyFor(const std::string& message)
+{
+    const auto says = [&](const char* text)
+    { return message.find(text) != std::string::npos; };
+
+    return says("ill defined primitiveEntry")
+             ? "\nIs a ';' missing at the end of the value, or a number too "
+               "large?"
+         : says("Illegal dictionary entry or environment")
+             ? "\nDefine the macro above the line that uses it"
+         : says("Syntax error in expression")
+             ? "\nA macro that #eval does not know counts as nothing: is one "
+               "misspelt?"
+         : says("should not be executed")
+             ? "\nWrite #eval{ } in place of #calc: it needs no compiler"
+             : "";
+}
+
+
+[[noreturn]] void
+refuseParsed(const std::string& message, const fileName& file, const label line)
+{
+    FatalIOError("", "", 0, file, line, -1)
+        << message.c_str() << remedyFor(message) << exit(FatalIOError);
+    std::exit(1); // not reached; exit() above is not declared noreturn
+}
+
 } // namespace
 
 
@@ -312,10 +362,11 @@ void Foam::lpf::refuse(
     // brought the entry
     const entry* e = dict.findEntry(key, keyType::LITERAL);
     const fileName top = topFile(dict);
-    const filePlace place = e ? placeOf(top, key, e->startLineNumber())
-                          : (dict.empty() && dict.name() != top)
-                              ? placeOf(top, dict.dictName(), -1)
-                              : filePlace{top, dict.startLineNumber()};
+    const filePlace place =
+        e ? placeOf(top, key, e->startLineNumber())
+        : (dict.empty() && dict.name() != top)
+            ? placeOf(top, dict.dictName(), -1)
+            : filePlace{top, max(label(1), dict.startLineNumber())};
 
     // no function name and line of our sources: the user's file is the matter
     FatalIOError(
@@ -334,8 +385,9 @@ void Foam::lpf::refuse(
 Foam::word Foam::lpf::nearestWord(const word& given, const wordList& valid)
 {
     word nearest;
+    // in short names each letter counts: mu2 is no misspelt muS
     label least =
-        static_cast<label>(std::max<std::size_t>(1, given.size() / 3));
+        given.size() < 4 ? 0 : static_cast<label>((given.size() + 1) / 3);
     for (const word& w : valid)
     {
         const label d = distance(given, w);
@@ -360,7 +412,7 @@ Foam::dictionary Foam::lpf::readDictionary(const fileName& file)
                     : "its folder neither: is this the case directory?")
             << exit(FatalIOError);
     }
-    checkBrackets(file);
+    checkText(file);
     IFstream is(file);
     if (!is.good())
     {
@@ -368,7 +420,28 @@ Foam::dictionary Foam::lpf::readDictionary(const fileName& file)
             << "the file cannot be opened: check its permissions"
             << exit(FatalIOError);
     }
-    return dictionary(is); // unnamed: must not move, see the header
+    const throwingErrors guard;
+    try
+    {
+        return dictionary(is); // unnamed: must not move, see the header
+    }
+    catch (const IOerror& e)
+    {
+        // an included file; a dictionary knows only where it begins
+        const fileName other(e.ioFileName());
+        const bool placed = other != file && isFile(other);
+        guard.restore();
+        refuseParsed(
+            e.message(),
+            placed ? other : file,
+            placed ? e.ioStartLineNumber() : is.lineNumber()
+        );
+    }
+    catch (const error& e)
+    {
+        guard.restore();
+        refuseParsed(e.message(), file, is.lineNumber());
+    }
 }
 
 
@@ -452,7 +525,7 @@ Foam::scalar Foam::lpf::readNumber(
     const bool bounded = allowed.lower > -GREAT || allowed.upper < GREAT;
     const bool hasUnits = !dims.dimensionless();
     const string example =
-        key + (hasUnits ? " " + shown(dims) : string()) + " <number>;";
+        "'" + key + (hasUnits ? " " + shown(dims) : string()) + " <number>;'";
     const string reason = *allowed.reason ? string(": ") + allowed.reason : "";
 
     const entry& e = found(
@@ -496,8 +569,8 @@ Foam::vector Foam::lpf::readVector(
 )
 {
     const bool hasUnits = !dims.dimensionless();
-    const string example =
-        key + (hasUnits ? " " + shown(dims) : string()) + " (<x> <y> <z>);";
+    const string example = "'" + key + (hasUnits ? " " + shown(dims) : string())
+                         + " (<x> <y> <z>);'";
     valueTokens tokens(dict, found(dict, key, example));
     tokens.passName();
     tokens.checkDimensions(dims, example);
@@ -590,7 +663,7 @@ Foam::vector Foam::lpf::readGravity(const fileName& caseDir)
         );
     }
     valueTokens(dict, *e).checkDimensions(
-        dimAcceleration, "dimensions " + shown(dimAcceleration) + ";"
+        dimAcceleration, "'dimensions " + shown(dimAcceleration) + ";'"
     );
     return readVector(dict, "value", dimAcceleration);
 }

@@ -106,13 +106,13 @@ TEST_CASE("readNumber: wrong dimensions")
     CHECK(
         numberError("muS [1 -3 0 0 0 0 0] 0.3;", dimPressure)
         == "muS = [ 1 -3 0 0 0 0 0 ] 0.3 has units [1 -3 0 0 0 0 0] but "
-           "[1 -1 -2 0 0 0 0] are needed; write muS [1 -1 -2 0 0 0 0] "
-           "<number>; with the value in SI units|phaseProperties:1"
+           "[1 -1 -2 0 0 0 0] are needed; write 'muS [1 -1 -2 0 0 0 0] "
+           "<number>;' with the value in SI units|phaseProperties:1"
     );
     CHECK(
         numberError("muS [mm] 0.3;", dimLength)
         == "muS = [ mm] 0.3: units are written as seven exponents of kg m s "
-           "K mol A cd; write muS [0 1 0 0 0 0 0] <number>;|phaseProperties:1"
+           "K mol A cd; write 'muS [0 1 0 0 0 0 0] <number>;'|phaseProperties:1"
     );
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("readNumber: wrong dimensions")
 TEST_CASE("readNumber: what is not a number")
 {
     const std::string remedy(
-        " is not a finite number; write muS <number>;|phaseProperties:1"
+        " is not a finite number; write 'muS <number>;'|phaseProperties:1"
     );
     CHECK(numberError("muS high;", dimless) == "muS = high" + remedy);
     CHECK(numberError("muS nan;", dimless) == "muS = nan" + remedy);
@@ -134,13 +134,13 @@ TEST_CASE("readNumber: what is not a number")
     );
     CHECK(
         numberError("muS { x 1; }", dimless)
-        == "muS is a sub-dictionary but must be a value; write muS <number>;, "
-           "greater than 0 and at most 1: tan of an angle, write muS 0.4;"
-           "|phaseProperties:1"
+        == "muS is a sub-dictionary but must be a value; write 'muS "
+           "<number>;', greater than 0 and at most 1: tan of an angle, write "
+           "muS 0.4;|phaseProperties:1"
     );
     CHECK(
         numberError("mus 0.3;\nmu2 1;", dimless)
-        == "muS is missing; write muS <number>;, greater than 0 and at most "
+        == "muS is missing; write 'muS <number>;', greater than 0 and at most "
            "1: tan of an angle, write muS 0.4;. Is 'mus' meant to be it?"
            "|phaseProperties:1"
     );
@@ -178,6 +178,16 @@ TEST_CASE("readNumber: sub-dictionaries keep the path, includes their own")
 }
 
 
+TEST_CASE("nearestWord: misspelt names, but not other short ones")
+{
+    CHECK(nearestWord("coulmb", {"Coulomb", "muI"}) == "Coulomb");
+    CHECK(nearestWord("MUI", {"Coulomb", "muI"}) == "muI");
+    CHECK(nearestWord("alhpa", {"alpha", "rho"}) == "alpha");
+    CHECK(nearestWord("mu2", {"muS", "rho"}).empty());
+    CHECK(nearestWord("viscosity", {"muS", "rho"}).empty());
+}
+
+
 TEST_CASE("readVector: three numbers with units")
 {
     const auto read = [](const std::string& text)
@@ -191,7 +201,7 @@ TEST_CASE("readVector: three numbers with units")
     CHECK(
         read("U (0 0);")
         == "U = ( 0 0 ) is not three finite numbers in (); write "
-           "U [0 1 -1 0 0 0 0] (<x> <y> <z>);|phaseProperties:1"
+           "'U [0 1 -1 0 0 0 0] (<x> <y> <z>);'|phaseProperties:1"
     );
     CHECK(read("U (0 0 0 0);") != "");
     CHECK(read("U 0;") != "");
@@ -275,6 +285,34 @@ TEST_CASE("readDictionary: brackets that do not match")
         read("a\n{\n    b (1 2;\n}\n")
         == "'}' found where ')' must close the bracket of line 3: write the "
            "missing ')'|phaseProperties:4"
+    );
+}
+
+
+TEST_CASE("readDictionary: what OpenFOAM passes over, or tells without a line")
+{
+    const auto read = [](const std::string& text)
+    { return inputFileTest(text).error([](const dictionary&) {}); };
+
+    CHECK(
+        read("a 1;\n/* b 2;\nc 3;\n")
+        == "the comment that begins here does not end: write the missing "
+           "*/|phaseProperties:2"
+    );
+    CHECK(
+        read("a 1;\nb \"2;\n")
+        == "the text that begins here does not end: write the missing quote, "
+           "or #}|phaseProperties:2"
+    );
+    CHECK_THAT(read("a 1;\nb 2"), Catch::Contains("Is a ';' missing"));
+    CHECK_THAT(read("a 1;\nb 2"), Catch::EndsWith("|phaseProperties:2"));
+    CHECK_THAT(read("a 1;\nb $none;\n"), Catch::EndsWith("|phaseProperties:2"));
+    CHECK_THAT(
+        read("a 1;\nb #eval{ 2*$none };\n"),
+        Catch::EndsWith("is one misspelt?|phaseProperties:2")
+    );
+    CHECK_THAT(
+        read("a 1;\n\n#inclde \"b\"\n"), Catch::EndsWith("|phaseProperties:3")
     );
 }
 
