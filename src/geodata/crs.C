@@ -33,7 +33,7 @@ string crsFromText(const string& text, const dictionary& context)
     {
         FatalIOErrorInFunction(context)
             << "crs " << text << " is not a coordinate reference system: "
-            << gdalScope::lastError() << '.' << nl
+            << gdalScope::lastError().c_str() << '.' << nl
             << "Write a code such as \"EPSG:2193\", WKT, or a PROJ string."
             << exit(FatalIOError);
     }
@@ -106,9 +106,10 @@ void requireMetres(
     if (!unit.empty())
     {
         FatalIOErrorInFunction(context)
-            << file << " has coordinates in " << unit << " (" << crsName(wkt)
-            << ")." << nl << "The equations are in metres along all three axes."
-            << nl << "Project it first, e.g. gdalwarp or ogr2ogr"
+            << file << " has coordinates in " << unit.c_str() << " ("
+            << crsName(wkt).c_str() << ")." << nl
+            << "The equations are in metres along all three axes." << nl
+            << "Project it first, e.g. gdalwarp or ogr2ogr"
             << " -t_srs EPSG:<code of a metric system>." << exit(FatalIOError);
     }
 }

@@ -66,8 +66,8 @@ void refuseFile(
     const polygonQuery& query, const dictionary& context, const string& why
 )
 {
-    FatalIOErrorInFunction(context)
-        << "Polygons of " << query.file << ": " << why << exit(FatalIOError);
+    FatalIOErrorInFunction(context) << "Polygons of " << query.file << ": "
+                                    << why.c_str() << exit(FatalIOError);
 }
 
 
@@ -344,7 +344,7 @@ polygonSet readPolygons(const polygonQuery& query, const dictionary& context)
         const gdalScope scope;
         const datasetPtr data(static_cast<GDALDataset*>(GDALOpenEx(
             query.file.c_str(),
-            GDAL_OF_VECTOR | GDAL_OF_READONLY,
+            GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
             nullptr,
             nullptr,
             nullptr
@@ -497,8 +497,8 @@ void writeFeatures(
     {
         FatalErrorInFunction
             << "Vector file " << file
-            << " cannot be written: " << gdalScope::lastError() << '.' << nl
-            << "Is there room on the disk, and may you write there?"
+            << " cannot be written: " << gdalScope::lastError().c_str() << '.'
+            << nl << "Is there room on the disk, and may you write there?"
             << exit(FatalError);
     }
 }

@@ -29,7 +29,7 @@ datasetPtr openRaster(const fileName& file, const dictionary& context)
 {
     datasetPtr data(static_cast<GDALDataset*>(GDALOpenEx(
         file.c_str(),
-        GDAL_OF_RASTER | GDAL_OF_READONLY,
+        GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
         nullptr,
         nullptr,
         nullptr
@@ -38,7 +38,8 @@ datasetPtr openRaster(const fileName& file, const dictionary& context)
     {
         FatalIOErrorInFunction(context)
             << "Raster " << file
-            << " cannot be read: " << gdalScope::lastError() << '.' << nl
+            << " cannot be read: " << gdalScope::lastError().c_str() << '.'
+            << nl
             << "Give a file that gdalinfo reads; paths are relative to the"
             << " case." << exit(FatalIOError);
     }
@@ -158,8 +159,8 @@ void readBand(
         {
             FatalIOErrorInFunction(context)
                 << "Raster " << file << " is damaged in row "
-                << cells.row0 + r + 1 << ": " << gdalScope::lastError() << '.'
-                << exit(FatalIOError);
+                << cells.row0 + r + 1 << ": " << gdalScope::lastError().c_str()
+                << '.' << exit(FatalIOError);
         }
         for (int i = 0; i < nx; ++i)
         {
@@ -385,8 +386,8 @@ void writeRaster(
     {
         FatalErrorInFunction
             << "Raster " << file
-            << " cannot be written: " << gdalScope::lastError() << '.' << nl
-            << "Is there room on the disk, and may you write there?"
+            << " cannot be written: " << gdalScope::lastError().c_str() << '.'
+            << nl << "Is there room on the disk, and may you write there?"
             << exit(FatalError);
     }
 }

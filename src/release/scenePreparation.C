@@ -17,6 +17,10 @@ namespace
 // Relative deviation that rounding of typed numbers may cause
 constexpr scalar typed = 1e-6;
 
+// Columns of a release beyond which a spacing is taken for a slip; a minute of
+// work and some 1e9 particles
+constexpr scalar mostColumns = 1e8;
+
 } // namespace
 
 
@@ -24,7 +28,8 @@ scenePreparation::scenePreparation(
     const fileName& caseDir, const fileName& dictFile
 )
     : caseDir_(caseDir), dict_(readDictionary(dictFile)),
-      g_(readGravity(caseDir))
+      g_(readGravity(caseDir)),
+      boundaries_(readDictionary(caseDir / "constant" / "boundaryProperties"))
 {
     allowOnly(
         dict_, {"spacing", "lattice", "origin", "maxSpeed", "ground", "release"}
@@ -92,9 +97,7 @@ void scenePreparation::readMaterial()
 
 void scenePreparation::readBoundaries()
 {
-    const fileName file = caseDir_ / "constant" / "boundaryProperties";
-    const dictionary all = readDictionary(file);
-    if (const dictionary* plane = all.findDict("planeStrain"))
+    if (const dictionary* plane = boundaries_.findDict("planeStrain"))
     {
         allowOnly(*plane, {"normal", "thickness"});
         planeNormal_ = readVector(*plane, "normal", dimless);
@@ -110,7 +113,7 @@ void scenePreparation::readBoundaries()
              "masses and forces are those of a slice that thick, e.g. 1 m"}
         );
     }
-    const dictionary* pairs = all.findDict("cyclic");
+    const dictionary* pairs = boundaries_.findDict("cyclic");
     if (!pairs)
     {
         return;
@@ -292,16 +295,17 @@ void scenePreparation::checkCyclic() const
         const scalar n = (pair.to - pair.from) / grid_.spacing;
         if (mag(n - std::round(n)) > typed * n)
         {
-            FatalErrorInFunction
-                << "The period of the cyclic pair "
-                << (pair.axis == 0 ? 'x' : 'y') << " is " << pair.to - pair.from
-                << " m, " << n << " spacings." << nl
-                << "It must be a whole number of spacings: the lattice goes on"
-                << " through the pair, else particles start too near to each"
-                << " other or with a gap there." << nl << "Take a spacing of "
-                << (pair.to - pair.from) / std::round(n)
-                << " m or change the period in constant/boundaryProperties."
-                << exit(FatalError);
+            refuse(
+                boundaries_.subDict("cyclic"),
+                pair.axis == 0 ? "x" : "y",
+                "The period is " + Foam::name(n) + " spacings of "
+                    + Foam::name(grid_.spacing)
+                    + " m. It must be a whole number of them: the lattice goes"
+                      " on through the pair, else particles start too near to"
+                      " each other or with a gap there. Take a spacing of "
+                    + Foam::name((pair.to - pair.from) / std::round(n))
+                    + " m or change the period."
+            );
         }
     }
 }
@@ -330,10 +334,30 @@ void scenePreparation::keepInCyclicBox(DynamicList<seed>& seeds) const
 }
 
 
+void scenePreparation::checkSize(const label i) const
+{
+    const vector span = regions_[i].plan().span();
+    const scalar columns =
+        (planeThickness_ > 0 ? max(span.x(), span.y()) * grid_.spacing
+                             : span.x() * span.y())
+        / sqr(grid_.spacing);
+    if (columns > mostColumns)
+    {
+        FatalIOErrorInFunction(*regionDicts_[i])
+            << "Release " << names_[i] << " is " << span.x() << " x "
+            << span.y() << " m in plan; with a spacing of " << grid_.spacing
+            << " m that is " << columns << " columns of particles." << nl
+            << "Up to " << mostColumns << " can be made: is the spacing in"
+            << " metres?" << exit(FatalIOError);
+    }
+}
+
+
 releaseBody scenePreparation::fillRelease(const label i)
 {
     const dictionary& dict = *regionDicts_[i];
     const releaseScene& scene = scenes_[i];
+    checkSize(i);
     regions_[i].place(scene);
 
     const dictionary& grains = dict.subDict("grains");
@@ -395,7 +419,12 @@ void scenePreparation::fillReleases()
         readLattice(*regionDicts_[i], ground_->origin(), own);
         if (planeThickness_ > 0)
         {
-            makePlaneStrain(planeNormal_, planeThickness_, dict_, own);
+            makePlaneStrain(
+                planeNormal_,
+                planeThickness_,
+                boundaries_.subDict("planeStrain"),
+                own
+            );
         }
         scenes_.append(new releaseScene{*ground_, own, up});
     }

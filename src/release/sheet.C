@@ -14,6 +14,26 @@ namespace
 // Columns per spacing along each axis of a volume that has no closed form
 constexpr label finer = 4;
 
+// Deviation of the volume up to which columns are rounded plainly
+constexpr scalar roundingTolerance = 0.01;
+
+
+// Numbers from 0 to 1, evenly spread over any patch of columns: the plastic
+// sequence of M. Roberts (2018)
+scalar spread(const FixedList<label, 2>& column)
+{
+    const scalar r =
+        column[0] * 0.7548776662466927 + column[1] * 0.5698402909980532;
+    return r - std::floor(r);
+}
+
+
+label particlesIn(const scalar layers, const scalar roundUp)
+{
+    // a whole number of layers stays one
+    return label(std::floor(layers * (1 + 1e-9) + roundUp));
+}
+
 } // namespace
 
 
@@ -106,16 +126,33 @@ scalar sheet::columnVolume() const
 }
 
 
+bool sheet::roundingKeepsVolume() const
+{
+    const scalar s = scene_->grid.spacing;
+    scalar exact = 0, rounded = 0;
+    forColumns(
+        scene_->grid,
+        [&](const FixedList<label, 2>&, const groundHit&, const scalar t)
+        {
+            exact += t / s;
+            rounded += particlesIn(t / s, 0.5);
+        }
+    );
+    return mag(rounded - exact) <= roundingTolerance * exact;
+}
+
+
 void sheet::fill(DynamicList<seed>& seeds) const
 {
     const scalar s = scene_->grid.spacing;
+    const bool plain = roundingKeepsVolume();
     forColumns(
         scene_->grid,
         [&](const FixedList<label, 2>& column,
             const groundHit& hit,
             const scalar t)
         {
-            const label n = label(std::lround(t / s));
+            const label n = particlesIn(t / s, plain ? 0.5 : spread(column));
             for (label k = 0; k < n; ++k)
             {
                 const scalar height = (k + 0.5) * s;
