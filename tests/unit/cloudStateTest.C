@@ -105,8 +105,7 @@ afterDamage(const IOstreamOption& format, const word& file, const F& damage)
     std::string text = contents(path);
     damage(text);
     putContents(path, text);
-    const std::string message =
-        errorOf([&] { readCloud(folder.path(), "grains"); });
+    std::string message = errorOf([&] { readCloud(folder.path(), "grains"); });
     INFO(message);
     CHECK((message.empty() || message.find(path) != std::string::npos));
     return message;
@@ -421,8 +420,9 @@ TEST_CASE("surfaceDecimation: fewer triangles of the same surface")
     faceList triangles(2 * n * n);
     forAll (points, i)
     {
-        const scalar x = scalar(i % (n + 1)) / n;
-        points[i] = point(x, scalar(i / (n + 1)) / n, 0.1 * std::sin(6 * x));
+        const label row = i / (n + 1);
+        const scalar x = scalar(i - row * (n + 1)) / n;
+        points[i] = point(x, scalar(row) / n, 0.1 * std::sin(6 * x));
     }
     label k = 0;
     for (label j = 0; j < n; ++j)
