@@ -4,6 +4,7 @@
 #include "gdalScope.H"
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <ogrsf_frmts.h>
 
@@ -226,7 +227,10 @@ void refuseOverlap(
 string wktOf(OGRLayer& layer)
 {
     string result;
-    if (const OGRSpatialReference* crs = layer.GetSpatialRef())
+    const OGRSpatialReference* crs = layer.GetSpatialRef();
+    const char* name = crs ? crs->GetName() : nullptr;
+    // GeoPackage names it when there is none
+    if (name && std::strncmp(name, "Undefined", 9) != 0)
     {
         char* wkt = nullptr;
         crs->exportToWkt(&wkt);

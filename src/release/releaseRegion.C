@@ -36,6 +36,12 @@ string releaseRegion::crs() const
 }
 
 
+scalar releaseRegion::lowering(scalar, scalar) const
+{
+    return 0;
+}
+
+
 void releaseRegion::place(const releaseScene& scene)
 {
     scene_ = &scene;

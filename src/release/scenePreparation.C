@@ -21,6 +21,9 @@ constexpr scalar typed = 1e-6;
 // work and some 1e9 particles
 constexpr scalar mostColumns = 1e8;
 
+// Cells over the spacing below which an elevation model is too fine
+constexpr scalar fineCells = 0.25;
+
 } // namespace
 
 
@@ -239,6 +242,42 @@ point scenePreparation::chooseOrigin() const
 }
 
 
+void scenePreparation::lowerGround()
+{
+    for (rasterPiece& piece : pieces_.rasters)
+    {
+        raster& r = piece.heights;
+        forAll (r.values, k)
+        {
+            const label j = k / r.nx, i = k - j * r.nx;
+            forAll (regions_, m)
+            {
+                r.values[k] -=
+                    regions_[m].lowering(r.x0 + i * r.dx, r.y0 + j * r.dy);
+            }
+        }
+    }
+}
+
+
+void scenePreparation::checkCells() const
+{
+    for (const rasterPiece& piece : pieces_.rasters)
+    {
+        const raster& r = piece.heights;
+        if (max(r.dx, r.dy) < fineCells * grid_.spacing)
+        {
+            WarningInFunction
+                << piece.file << " has cells of " << r.dx << " m, particles"
+                << " stand " << grid_.spacing << " m apart: the flow does not"
+                << " see the detail, but every cell costs time. Average it,"
+                << " e.g. gdalwarp -r average -tr " << grid_.spacing / 2 << ' '
+                << grid_.spacing / 2 << endl;
+        }
+    }
+}
+
+
 void scenePreparation::makeGround()
 {
     Info << "Reading ground" << nl;
@@ -248,6 +287,8 @@ void scenePreparation::makeGround()
         plan.add(regions_[i].plan());
     }
     pieces_ = readGround(dict_.subDict("ground"), {caseDir_, plan});
+    lowerGround();
+    checkCells();
     ground_ = pieces_.build(chooseOrigin());
     const boundBox box = ground_->bounds();
     const point& o = ground_->origin();

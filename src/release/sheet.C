@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet.H"
+#include "inputCheck.H"
 
 #include <cmath>
 
@@ -32,6 +33,14 @@ label particlesIn(const scalar layers, const scalar roundUp)
 {
     // a whole number of layers stays one
     return label(std::floor(layers * (1 + 1e-9) + roundUp));
+}
+
+
+wordList joined(const wordList& a, const wordList& b)
+{
+    wordList all(a);
+    all.append(b);
+    return all;
 }
 
 } // namespace
@@ -72,6 +81,30 @@ void sheet::forColumns(const lattice& grid, const Visit& visit) const
             }
         }
     }
+}
+
+
+sheet::sheet(const dictionary& dict, const wordList& keywords)
+    : releaseRegion(dict, joined(keywords, {"position"})),
+      below_(
+          readChoice(dict, "position", {"onGround", "inGround"}, "onGround")
+          == "inGround"
+      )
+{
+}
+
+
+scalar sheet::thickness(const groundHit& hit) const
+{
+    const point x = hit.nearest + scene_->bed.origin();
+    const scalar t = thicknessAt(x.x(), x.y());
+    return normal_ && hit.found ? t / hit.normal.z() : t;
+}
+
+
+scalar sheet::lowering(const scalar x, const scalar y) const
+{
+    return below_ ? thicknessAt(x, y) : 0;
 }
 
 

@@ -10,6 +10,9 @@
 #include "sampleCase.H"
 #include "scenePreparation.H"
 
+#include "polygons.H"
+
+#include "IStringStream.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -507,4 +510,127 @@ TEST_CASE("polygons of any shape are cut into triangles", "[release]")
     const List<point> bow{
         point(0, 0, 0), point(1, 1, 0), point(1, 0, 0), point(0, 2, 0)};
     CHECK(triangulate(bow).empty());
+}
+
+
+TEST_CASE("an even sheet keeps its volume", "[release]")
+{
+    // 1.9 spacings thick: neither one nor two layers
+    const scene s(
+        "spacing 1; origin (0 0 0);" + floorPart
+        + "release { type raster; file \"thickness.asc\";"
+          " grains { solidFraction 0.5; } }"
+    );
+    std::string text = "ncols 16\nnrows 16\nxllcenter -7.5\nyllcenter -7.5\n"
+                       "cellsize 1\n";
+    for (label k = 0; k < 256; ++k)
+    {
+        const bool rim = k < 16 || k >= 240 || k % 16 == 0 || k % 16 == 15;
+        text += rim ? "0 " : "1.9 ";
+    }
+    s.raw("thickness.asc", text);
+    const cloudState cloud = s.cloud();
+    CHECK(cloud.size() == Approx(196 * 1.9).epsilon(0.01));
+}
+
+TEST_CASE("a release in the ground lowers it", "[release]")
+{
+    const scene s("spacing 1; origin (0 0 0);"
+                  "ground { type raster; file \"dem.asc\"; zone floor; }"
+                  "release { type raster; file \"depth.asc\"; scale -1;"
+                  " position inGround; grains { solidFraction 0.5; } }");
+    std::string dem = "ncols 20\nnrows 20\nxllcenter 0\nyllcenter 0\n"
+                      "cellsize 2\n";
+    std::string depth = dem;
+    for (label k = 0; k < 400; ++k)
+    {
+        const label j = k / 20, i = k % 20;
+        dem += "50 ";
+        depth += i > 6 && i < 13 && j > 6 && j < 13 ? "-5 " : "0 ";
+    }
+    s.raw("dem.asc", dem);
+    s.raw("depth.asc", depth);
+    const cloudState cloud = s.cloud();
+    CHECK(cloud.size() == Approx(36 * 4 * 5).epsilon(0.02));
+    const autoPtr<ground> bed = ground::read(s.path());
+    CHECK(bed->elevation(19, 19).nearest.z() == Approx(45));
+    CHECK(bed->elevation(5, 5).nearest.z() == Approx(50));
+    for (const vector& x : cloud.positions)
+    {
+        // a particle over the rim, where the body thins out
+        REQUIRE(x.z() < 51);
+    }
+}
+
+
+namespace
+{
+
+//- The parts in comments of the manual of terrainToParticlesDict
+std::vector<std::string> manualExamples()
+{
+    std::ifstream is(
+        getEnv("LPF_PROJECT_DIR")
+        + "/etc/caseDicts/annotated/terrainToParticlesDict"
+    );
+    const std::string text(
+        (std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>()
+    );
+    std::vector<std::string> examples;
+    for (auto at = text.find("/*"); at != std::string::npos;
+         at = text.find("/*", at + 1))
+    {
+        examples.push_back(text.substr(at + 2, text.find("*/", at) - at - 2));
+    }
+    return examples;
+}
+
+} // namespace
+
+
+TEST_CASE("the examples of the manual are read", "[release]")
+{
+    const auto examples = manualExamples();
+    REQUIRE(examples.size() == 2);
+    const temporaryFolder folder;
+    mkDir(folder.path() / "constant" / "triSurface");
+    mkDir(folder.path() / "constant" / "gisdata");
+    std::ofstream(folder.path() / "constant/triSurface/building.obj")
+        << "g wall\nv 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n";
+
+    const quiet silence;
+    IStringStream groundText(examples[0]);
+    const dictionary grounds(groundText);
+    groundPieces pieces = readGround(
+        grounds.subDict("ground"), {folder.path(), boundBox(point::zero)}
+    );
+    CHECK(pieces.triangles.size() == 2 + 2 + 10 + 480 + 1);
+    CHECK(pieces.zones.found("building"));
+    CHECK(pieces.bounds().max().x() == Approx(9));
+
+    const List<feature> areas{
+        feature{
+            {{point2D(0, 0), point2D(9, 0), point2D(9, 9), point2D(0, 9)}},
+            {1}},
+        feature{
+            {{point2D(20, 0), point2D(29, 0), point2D(29, 9), point2D(20, 9)}},
+            {2}}};
+    writeFeatures(
+        folder.path() / "constant/gisdata/release.gpkg",
+        featureType::polygons,
+        areas,
+        {"id"},
+        ""
+    );
+    IStringStream releaseText(examples[1]);
+    const dictionary releases(releaseText);
+    label n = 0;
+    for (const entry& e : releases.subDict("release"))
+    {
+        const auto region =
+            releaseRegion::New(e.dict(), {folder.path(), tensor::I});
+        CHECK(region->plan().span().x() > 0);
+        ++n;
+    }
+    CHECK(n == 4);
 }

@@ -9,6 +9,7 @@ Usage        release
                  type polygon; file "constant/gisdata/release.gpkg";
                  thickness vertical 10;  // normal 10, vertical <attribute>
                  where "id = 1"; layer release;    // optional
+                 position onGround;                // or inGround
              }
 Units        m
 */
@@ -28,7 +29,6 @@ namespace releaseRegions
 class polygon : public sheet
 {
     polygonSet areas_; //!< input coordinates, value: the thickness
-    bool normal_ = false;
 
     //- The entry `thickness`; returns the attribute or "" and a number
     word readThickness(scalar& number);
@@ -45,16 +45,10 @@ public:
     scalar volume() const override;
 
 protected:
-    scalar thickness(const groundHit& hit) const override
+    scalar thicknessAt(const scalar x, const scalar y) const override
     {
-        const point x = hit.nearest + scene_->bed.origin();
-        const label i = areas_.find(point2D(x.x(), x.y()));
-        if (i < 0)
-        {
-            return 0;
-        }
-        const scalar t = areas_.polygons[i].value;
-        return normal_ && hit.found ? t / hit.normal.z() : t;
+        const label i = areas_.find(point2D(x, y));
+        return i < 0 ? 0 : areas_.polygons[i].value;
     }
 };
 
@@ -99,6 +93,15 @@ polygon::polygon(const dictionary& dict, const releaseContext& context)
     query.where = dict.getOrDefault<string>("where", "");
     query.layer = dict.getOrDefault<word>("layer", "");
     query.value = readThickness(number);
+    if (normal_ && below_)
+    {
+        refuse(
+            dict,
+            "position",
+            "A release in the ground lowers the heights of the elevation model"
+            " by its thickness, which is then vertical: thickness vertical .."
+        );
+    }
     areas_ = readPolygons(query, dict);
     for (lpf::polygon& p : areas_.polygons)
     {

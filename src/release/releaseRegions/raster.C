@@ -6,7 +6,7 @@ Description  Vertical thickness on top of the ground; cells without data, at 0
              over one cell at the rim: the volume is exactly the sum over
              cells. scale multiplies the values, e.g. -1 for depths.
 Usage        release { type raster; file "constant/gisdata/hrelease.asc";
-                 scale 1; crs "EPSG:2193"; }
+                 scale 1; crs "EPSG:2193"; position onGround; }
 Units        m
 */
 #include "sheet.H"
@@ -46,13 +46,10 @@ public:
     }
 
 protected:
-    scalar thickness(const groundHit& hit) const override
+    scalar thicknessAt(const scalar x, const scalar y) const override
     {
-        const point& origin = scene_->bed.origin();
         scalar t = 0;
-        thickness_.bilinear(
-            hit.nearest.x() + origin.x(), hit.nearest.y() + origin.y(), t
-        );
+        thickness_.bilinear(x, y, t);
         return t;
     }
 };
