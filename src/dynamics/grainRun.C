@@ -278,8 +278,9 @@ void grainRun::readState()
         const vector up = mag(scene_.g) > 0
             ? vector(-scene_.g / mag(scene_.g)) : vector(0, 0, 1);
         const scalar margin = 4 * scene_.h;
-        domain.add(domain.max() + headroom * domain.mag() * up);
-        domain.add(domain.min() + headroom * domain.mag() * up);
+        const boundBox low(domain);
+        const vector above = headroom * low.mag() * up;
+        domain.add(boundBox(low.min() + above, low.max() + above));
         domain = boundBox(
             domain.min() - vector::uniform(margin),
             domain.max() + vector::uniform(margin)
@@ -348,7 +349,11 @@ void grainRun::step()
     if (report || control_.writesAfterStep())
     {
         now_ = d.energy();
-        d.ledger.peakKinetic = max(d.ledger.peakKinetic, now_.kinetic);
+        if (report)
+        {
+            // at fixed steps, whatever a signal adds: part of the state
+            d.ledger.peakKinetic = max(d.ledger.peakKinetic, now_.kinetic);
+        }
         booked_ = d.ledger;
         bookedAt_ = control_.time;
     }
@@ -465,9 +470,9 @@ void grainRun::write()
     );
 
     dictionary state;
-    state.set("unrestrictedDeltaT", control_.unrestricted);
-    state.set("domainMin", d.domain().min());
-    state.set("domainMax", d.domain().max());
+    setExact(state, "unrestrictedDeltaT", control_.unrestricted);
+    setExact(state, "domainMin", d.domain().min());
+    setExact(state, "domainMax", d.domain().max());
     state.set("balance", d.ledger.state());
     {
         OFstream os(folder.path() / "uniform" / "lpfState");

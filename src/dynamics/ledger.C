@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ledger.H"
 
+#include "primitiveEntry.H"
 #include "wordList.H"
 
 namespace Foam
 {
 namespace lpf
 {
+
+void setExact(dictionary& d, const word& name, scalar v)
+{
+    d.set(new primitiveEntry(name, token(v)));
+}
+
+void setExact(dictionary& d, const word& name, const vector& v)
+{
+    List<token> tokens(
+        {token(token::BEGIN_LIST), token(v.x()), token(v.y()), token(v.z()),
+         token(token::END_LIST)}
+    );
+    d.set(new primitiveEntry(name, std::move(tokens)));
+}
 
 namespace
 {
@@ -49,9 +64,9 @@ const char* const massNames[2] = {"initialMass", "leftMass"};
 dictionary balance::state() const
 {
     dictionary d;
-    forSums(*this, [&](const char* name, scalar v) { d.set(name, v); });
+    forSums(*this, [&](const char* name, scalar v) { setExact(d, name, v); });
     forVectorSums(
-        *this, [&](const char* name, const vector& v) { d.set(name, v); }
+        *this, [&](const char* name, const vector& v) { setExact(d, name, v); }
     );
     const lpfPairs::exactSum* masses[2] = {&initialMass, &leftMass};
     for (int k = 0; k < 2; ++k)

@@ -36,7 +36,7 @@ void runControl::catchSignals()
 
 bool runControl::asked() const
 {
-    return signalled != 0 || stopAt_ == "writeNow";
+    return asked_ || stopAt_ == "writeNow";
 }
 
 runControl::runControl(const fileName& caseDir)
@@ -48,7 +48,7 @@ runControl::runControl(const fileName& caseDir)
     wordList valid(controlDictKeywords());
     valid.append("logInterval");
     allowOnly(dict, valid);
-    stamp_ = Foam::lastModified(file);
+    stamp_ = Foam::highResLastModified(file);
     readTimes(dict);
 
     format_.format(IOstream::formatEnum(
@@ -186,7 +186,7 @@ bool runControl::running() const
 void runControl::readIfModified()
 {
     const fileName file(caseDir_ / "system" / "controlDict");
-    const time_t now = Foam::lastModified(file);
+    const double now = Foam::highResLastModified(file);
     if (modifiable_ && now != stamp_)
     {
         stamp_ = now;
@@ -227,6 +227,8 @@ bool runControl::writesAfterStep() const
 
 void runControl::advance()
 {
+    // once a step: a signal between the write and the next step waits
+    asked_ = signalled != 0;
     const scalar before = time;
     time += deltaT;
     ++index;
