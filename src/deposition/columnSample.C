@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "columnSample.H"
 
+#include "cellShares.H"
 #include "labelList.H"
 
 #include <algorithm>
@@ -14,125 +15,6 @@ namespace lpf
 
 namespace
 {
-
-//- Shape of Wendland C2; the factor in front cancels in the shares
-inline scalar shape(const scalar q)
-{
-    if (q >= 2)
-    {
-        return 0;
-    }
-    const scalar s = 1 - 0.5 * q;
-    return s * s * s * s * (2 * q + 1);
-}
-
-//- The particle as far as its shares are concerned
-struct plume
-{
-    point x;
-    scalar h;
-    bool isGrounded; //!< gives to cells with ground only
-};
-
-
-//- Points of the cells: an endless lattice, n a side in each cell
-class cellPoints
-{
-    const planGrid& grid_;
-    const groundOnGrid& bed_;
-    label n_[2];
-    scalar step_[2];
-
-    scalar lower(const int axis) const
-    {
-        return axis == 0 ? grid_.x0 : grid_.y0;
-    }
-
-    scalar side(const int axis) const
-    {
-        return axis == 0 ? grid_.dx : grid_.dy;
-    }
-
-    //- Cells of one axis within reach of x, as a half-open range
-    std::pair<label, label>
-    range(const int axis, const scalar x, const scalar reach) const
-    {
-        if (grid_.flat == axis)
-        {
-            return {0, 1};
-        }
-        const scalar p = (x - lower(axis)) / side(axis);
-        const scalar r = reach / side(axis);
-        return {label(std::floor(p - r)), label(std::ceil(p + r))};
-    }
-
-    //- Offset of point k of an axis from x; nothing varies along flat
-    scalar offset(const int axis, const label k, const scalar x) const
-    {
-        return grid_.flat == axis
-                 ? 0
-                 : lower(axis) + (scalar(k) + 0.5) * step_[axis] - x;
-    }
-
-    //- Beyond the grid nothing is known of the ground
-    bool takes(const label i, const label j, const plume& from) const
-    {
-        const bool known = i >= 0 && i < grid_.nx && j >= 0 && j < grid_.ny;
-        return !from.isGrounded || !known
-            || hasValue(bed_.elevation[grid_.index(i, j)]);
-    }
-
-public:
-    cellPoints(const planGrid& grid, const groundOnGrid& bed, const scalar hMin)
-        : grid_(grid), bed_(bed)
-    {
-        for (int axis = 0; axis < 2; ++axis)
-        {
-            n_[axis] =
-                axis == grid.flat
-                    ? 1
-                    : max(label(1), label(std::ceil(2 * side(axis) / hMin)));
-            step_[axis] = side(axis) / scalar(n_[axis]);
-        }
-    }
-
-    //- Over the points of one cell
-    scalar sumCell(const label i, const label j, const plume& from) const
-    {
-        if (!takes(i, j, from))
-        {
-            return 0;
-        }
-        scalar total = 0;
-        for (label k = j * n_[1]; k < (j + 1) * n_[1]; ++k)
-        {
-            const scalar sy = sqr(offset(1, k, from.x.y()));
-            for (label l = i * n_[0]; l < (i + 1) * n_[0]; ++l)
-            {
-                const scalar sx = sqr(offset(0, l, from.x.x()));
-                total += shape(sqrt(sx + sy) / from.h);
-            }
-        }
-        return total;
-    }
-
-    //- Over all points, of the grid and beyond
-    scalar sumAll(const plume& from) const
-    {
-        const auto columns = range(0, from.x.x(), 2 * from.h);
-        const auto rows = range(1, from.x.y(), 2 * from.h);
-        scalar total = 0;
-        for (label j = rows.first; j < rows.second; ++j)
-        {
-            for (label i = columns.first; i < columns.second; ++i)
-            {
-                total += sumCell(i, j, from);
-            }
-        }
-        return total;
-    }
-};
-
 
 //- Particles by plan bins at least as wide as their reach
 class planBins
@@ -218,8 +100,8 @@ scalar quantile(const std::vector<segment>& column, const scalar share)
         high = max(high, s.upper);
         total += s.volume;
     }
-    // 2^-40 of the column: far below what a height means
-    for (int k = 0; k < 40; ++k)
+    // 2^-24 of the column: far below what a height means
+    for (int k = 0; k < 24; ++k)
     {
         const scalar middle = 0.5 * (low + high);
         scalar below = 0;
@@ -251,7 +133,7 @@ class cellGather
     const planGrid& grid_;
     const cloudSample& sample_;
     const scalarField& heights_;
-    const cellPoints points_;
+    const cellShares shares_;
     const scalarField size_;
     List<plume> plumes_;
     scalarField sumAll_;
@@ -271,7 +153,7 @@ public:
         const scalarField& heights
     )
         : grid_(grid), sample_(sample), heights_(heights),
-          points_(grid, bed, min(sample.h)),
+          shares_(grid, bed, sample.h),
           // Side of the cube, or of the square in a plane strain scene
           size_(
               grid.flat < 0
@@ -286,12 +168,12 @@ public:
         {
             plume& from = plumes_[p];
             from = {sample.x[p], sample.h[p], hasValue(heights[p])};
-            sumAll_[p] = points_.sumAll(from);
+            sumAll_[p] = shares_.sumAll(from);
             if (sumAll_[p] <= 0)
             {
                 // On a tip of ground that no cell centre sees
                 from.isGrounded = false;
-                sumAll_[p] = points_.sumAll(from);
+                sumAll_[p] = shares_.sumAll(from);
             }
         }
     }
@@ -320,7 +202,7 @@ public:
         {
             return;
         }
-        const scalar share = points_.sumCell(i, j, plumes_[p]) / sumAll_[p];
+        const scalar share = shares_.sumCell(i, j, plumes_[p]) / sumAll_[p];
         if (share <= 0)
         {
             return;

@@ -217,6 +217,7 @@ vector roomAround(
 
 
 planGrid sampleGrid(
+    const dictionary& dict,
     const depositionControls& controls,
     const releaseScales& scales,
     const boundBox& particles,
@@ -233,12 +234,16 @@ planGrid sampleGrid(
         (high.x() - low.x()) / cell * (high.y() - low.y()) / cell;
     if (!(wanted < mostCells))
     {
-        FatalErrorInFunction
-            << "the map would need " << wanted << " cells of " << cell
-            << " m between " << low + origin << " and " << high + origin
-            << ", more than " << mostCells << '.' << nl
-            << "Did single grains run far away? Write an extent, or a larger "
-            << "cellSize." << exit(FatalError);
+        refuse(
+            dict,
+            "cellSize",
+            "the map would need " + Foam::name(wanted) + " cells of "
+                + Foam::name(cell) + " m from " + planText(low + origin)
+                + " to " + planText(high + origin) + ", more than "
+                + Foam::name(mostCells)
+                + ": did single grains run far away? Write an extent, or a "
+                  "larger cellSize"
+        );
     }
     const auto start = [cell](const scalar x)
     { return cell * std::floor(x / cell); };

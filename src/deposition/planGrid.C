@@ -2,6 +2,15 @@
 #include "planGrid.H"
 
 #include <cmath>
+#include <cstdio>
+
+Foam::string Foam::lpf::planText(const point& x)
+{
+    char text[80];
+    std::snprintf(text, sizeof(text), "(%.10g %.10g)", x.x(), x.y());
+    return text;
+}
+
 
 Foam::scalar Foam::lpf::interpolate(
     const planGrid& grid,

@@ -60,9 +60,9 @@ runoutPath::runoutPath(
         if (!hit.found && length_ == pathLength::surface)
         {
             FatalIOErrorInFunction(context)
-                << "path " << name_ << " leaves the ground at ("
-                << x.x() + bed.origin().x() << ' ' << x.y() + bed.origin().y()
-                << "): its length along the surface is not defined." << nl
+                << "path " << name_ << " leaves the ground at "
+                << planText(x + bed.origin())
+                << ": its length along the surface is not defined." << nl
                 << "End the path on the ground, or write pathLength plan;"
                 << exit(FatalIOError);
         }

@@ -25,7 +25,8 @@ caseSampler::caseSampler(
 {
     findTimes(all, selected);
     findClouds();
-    grid_ = sampleGrid(controls_, scales_, particleBox(), bed_->origin());
+    grid_ =
+        sampleGrid(dict_, controls_, scales_, particleBox(), bed_->origin());
     bedCells_ = sampleGround(*bed_, grid_);
     readPaths();
 
@@ -234,6 +235,7 @@ deposit caseSampler::sample(const word& cloud) const
     deposit result{
         cloud,
         caseDir_,
+        caseDir_ / times_.last().name(),
         controls_,
         scales_,
         dict_,
@@ -254,6 +256,7 @@ deposit caseSampler::sample(const word& cloud) const
             present()
         );
     };
+    scalar outside = 0;
     for (const instant& t : times_)
     {
         const fileName timeDir = caseDir_ / t.name();
@@ -265,13 +268,13 @@ deposit caseSampler::sample(const word& cloud) const
         {
             result.releaseThickness = now.thicknessVertical;
         }
-        if (now.volumeOutside > 1e-9 * now.volumeInside)
-        {
-            WarningInFunction << "Time " << t.name() << ": "
-                              << now.volumeOutside << " m3 of cloud " << cloud
-                              << " lie outside of the extent; "
-                              << "no map shows them" << endl;
-        }
+        outside = max(outside, now.volumeOutside);
+    }
+    if (outside > 1e-9 * result.records.last().total.volume)
+    {
+        WarningInFunction << "up to " << outside << " m3 of cloud " << cloud
+                          << " lie outside of the extent; no map shows them"
+                          << endl;
     }
     if (result.releaseThickness.empty())
     {

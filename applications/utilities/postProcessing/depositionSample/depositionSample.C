@@ -22,6 +22,8 @@ Usage        depositionSample [-case <dir>] [-dict <file>]
 #include "productFolder.H"
 #include "products.H"
 
+#include <vector>
+
 using namespace Foam;
 
 namespace
@@ -52,20 +54,34 @@ int main(int argc, char* argv[])
     {
         return 1;
     }
-    Time runTime(Time::controlDictName, args);
+    // Without controlDict: only the times are needed, not what else it says
+    Time runTime(
+        args.rootPath(), args.caseName(), "system", "constant", false, false
+    );
     const instantList selected = timeSelector::select0(runTime, args);
 
     const dictionary dict = lpf::readDictionary(dictionaryFile(args));
     const lpf::caseSampler sampler(
         args.path(), dict, runTime.times(), selected
     );
+    // What can be wrong with the input shows before anything is written
+    std::vector<lpf::deposit> results;
+    std::vector<lpf::findings> found;
+    for (const word& cloud : sampler.clouds())
+    {
+        results.push_back(sampler.sample(cloud));
+        found.push_back(lpf::findingsOf(results.back()));
+    }
     lpf::productFolder folder(
         args.path() / "postProcessing" / "deposition", sampler.startTime()
     );
-    for (const word& cloud : sampler.clouds())
+    for (std::size_t k = 0; k < results.size(); ++k)
     {
-        const lpf::deposit result = sampler.sample(cloud);
-        lpf::writeProducts(folder.path(cloud, sampler.clouds()), result);
+        lpf::writeProducts(
+            folder.path(results[k].cloud, sampler.clouds()),
+            results[k],
+            found[k]
+        );
     }
     folder.commit();
     Info << "Written: " << folder.name() << nl << nl << "End" << nl << endl;

@@ -16,7 +16,9 @@ namespace
 
 const colour black{0.05, 0.05, 0.05};
 const colour red{0.84, 0.1, 0.1};
-const colour blue{0.1, 0.35, 0.85};
+const colour observedColours[] = {
+    {0.1, 0.35, 0.85}, {0.75, 0.1, 0.7}, {0.0, 0.6, 0.55}};
+const colour brown{0.55, 0.2, 0.05};
 const colour grey{0.35, 0.35, 0.35};
 
 
@@ -71,7 +73,15 @@ List<mapLines> linesOf(const deposit& result, const findings& found)
         lines.append(
             {"observed: " + found.scores[k].name,
              closedLines(found.observed[k]),
-             {blue, 2.6, 0}}
+             {observedColours[k % 3], 2.6, 0}}
+        );
+    }
+    if (result.records.size() > 1)
+    {
+        lines.append(
+            {"reached, above " + above,
+             closedLines(found.reached),
+             {brown, 2.4, 4}}
         );
     }
     lines.append(
@@ -105,10 +115,11 @@ stringList captionOf(const deposit& result, const findings& found)
         + threeDigits(found.outline.area()) + " m\u00b2."
     );
     lines.append(
-        "Largest depth " + threeDigits(last.maxDepth) + " m, of all times "
-        + threeDigits(max(fields.maxDepth)) + " m.  Largest speed of the "
-        + "depth average " + threeDigits(max(fields.maxSpeed))
-        + " m/s; mean speed now " + threeDigits(last.total.meanSpeed) + " m/s."
+        "Largest depth " + threeDigits(last.maxDepth)
+        + " m, of all written times " + threeDigits(max(fields.maxDepth))
+        + " m.  Largest speed of the " + "depth average "
+        + threeDigits(max(fields.maxSpeed)) + " m/s; mean speed now "
+        + threeDigits(last.total.meanSpeed) + " m/s."
     );
     forAll (result.paths, p)
     {

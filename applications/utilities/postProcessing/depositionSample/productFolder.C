@@ -10,8 +10,7 @@ namespace lpf
 {
 
 productFolder::productFolder(const fileName& parent, const word& name)
-    : final_(parent / name),
-      draft_(parent / ("." + name + ".new." + Foam::name(pid())))
+    : final_(parent / name), draft_(parent / ("." + name + ".new"))
 {
     rmDir(draft_, true);
     if (!mkDir(draft_))

@@ -6,6 +6,10 @@
 #include "inputCheck.H"
 #include "overlapScore.H"
 
+#include "OSspecific.H"
+
+#include <ctime>
+
 namespace Foam
 {
 namespace lpf
@@ -115,6 +119,20 @@ observedScore scoreOf(
 }
 
 
+//- A GeoPackage holds the date of its last change: that of the particles, so
+//  that the same particles give the same bytes
+void setDate(const fileName& particles)
+{
+    const std::time_t when = lastModified(particles);
+    std::tm parts;
+    char text[40];
+    std::strftime(
+        text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", ::gmtime_r(&when, &parts)
+    );
+    setEnv("OGR_CURRENT_DATE", text, true);
+}
+
+
 void writeOutline(
     const fileName& folder, const deposit& result, const polygonSet& outline
 )
@@ -127,6 +145,7 @@ void writeOutline(
         features[k].attributes =
             List<scalar>({result.records.last().time, area.value, area.area()});
     }
+    setDate(result.lastDir / "lagrangian" / result.cloud / "positions");
     writeFeatures(
         folder / "outline." + result.controls.outlineFormat,
         featureType::polygons,
@@ -144,6 +163,7 @@ findings findingsOf(const deposit& result)
     findings found;
     found.outline = areaOf(result, result.fields.thicknessVertical);
     found.release = areaOf(result, result.releaseThickness);
+    found.reached = areaOf(result, result.fields.maxThicknessVertical);
     for (const observedControls& controls : result.controls.observed)
     {
         const raster map = readObserved(result, controls);
@@ -187,9 +207,10 @@ void writeRasters(
 }
 
 
-void writeProducts(const fileName& folder, const deposit& result)
+void writeProducts(
+    const fileName& folder, const deposit& result, const findings& found
+)
 {
-    const findings found = findingsOf(result);
     writeTables(folder, result, found);
     writeRasters(folder, result, found);
     writePictures(folder, result, found);

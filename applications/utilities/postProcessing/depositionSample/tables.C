@@ -240,7 +240,7 @@ void summarisePath(summary& line, const deposit& result, const label p)
     }
     const pathFronts& last = result.records.last().fronts[p];
     line("front of path " + name, last[0], "m");
-    line("front of path " + name + ", furthest of all times", furthest, "m");
+    line("front of path " + name + " furthest of all times", furthest, "m");
     line("95 % of the mass along path " + name, last[1], "m");
     line("99 % of the mass along path " + name, last[2], "m");
     if (hasValue(last[0]))
@@ -287,13 +287,14 @@ void writeSummary(
     );
     line(outline + "area", found.outline.area(), "m2");
     line(outline + "parts", scalar(found.outline.polygons.size()), "-");
-    line(outline + "volume inside, by cells", last.volumeAbove, "m3");
+    line(outline + "volume inside by cells", last.volumeAbove, "m3");
     line(
-        outline + "mean thickness inside, by cells",
+        outline + "mean thickness inside by cells",
         last.areaAbove > 0 ? last.volumeAbove / last.areaAbove : noValue,
         "m"
     );
-    line("release, " + outline + "area", found.release.area(), "m2");
+    line("release " + outline + "area", found.release.area(), "m2");
+    line("reached at any time " + outline + "area", found.reached.area(), "m2");
     line("largest vertical thickness", last.maxThickness, "m");
     line("largest depth", last.maxDepth, "m");
     line("largest depth of all times", max(fields.maxDepth), "m");
