@@ -25,6 +25,8 @@ RUN = ROOT / "tests" / "run"
 TIERS = ("quick", "verification", "benchmark")
 LIMIT = {"quick": 900, "verification": 4 * 3600, "benchmark": 24 * 3600}
 SOURCE = (".C", ".H")
+# Process groups that run now, to end with us
+RUNNING = set()
 # Never more than two at once: memory, and timings that mean something
 JOBS = min(2, os.cpu_count() or 1)
 
@@ -49,6 +51,7 @@ class Test:
         process = subprocess.Popen(
             command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log,
             stderr=subprocess.STDOUT, env=environment, start_new_session=True)
+        RUNNING.add(process.pid)
         try:
             return process.wait(limit or LIMIT[self.tier])
         except subprocess.TimeoutExpired:
@@ -57,6 +60,8 @@ class Test:
             log.write(b"\nnot ok - ended within %d s\n"
                       % (limit or LIMIT[self.tier]))
             return 0
+        finally:
+            RUNNING.discard(process.pid)
 
     def fresh(self, source=None):
         """An empty folder to run in, or a copy of source."""
@@ -381,7 +386,20 @@ def report(test, lines, seconds):
     return len(lines) - len(failed), len(failed)
 
 
+def interrupted(number, _):
+    for group in list(RUNNING):
+        try:
+            os.killpg(group, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    print("interrupted")
+    sys.stdout.flush()
+    os._exit(128 + number)
+
+
 def main():
+    signal.signal(signal.SIGINT, interrupted)
+    signal.signal(signal.SIGTERM, interrupted)
     parser = argparse.ArgumentParser(prog="Alltest", add_help=False)
     parser.add_argument("-tier", choices=(*TIERS, "all"))
     parser.add_argument("-case", default="")
