@@ -194,7 +194,8 @@ lpfPairs::forcePass grainDynamics::forcePass()
     p.az = grains.a[2].data();
 
     p.alpha = scheme_.artificialViscosity;
-    if (p.alpha > 0)
+    p.beta = scheme_.noiseDamping;
+    if (scheme_.viscous())
     {
         viscousPower_.resize(grains.size());
         p.soundSpeed = rheology_.elastic().c();
@@ -203,6 +204,10 @@ lpfPairs::forcePass grainDynamics::forcePass()
         p.w = k.w;
         p.rho = grains.rho.data();
         p.viscousPower = viscousPower_.data();
+    }
+    for (std::size_t c = 0; p.beta > 0 && c < 9; ++c)
+    {
+        p.L[c] = flow_[c].data();
     }
     return p;
 }
@@ -283,49 +288,87 @@ void grainDynamics::gradient()
     );
 }
 
+// Damping of waves of compression, which grains do not carry far: an addition
+// to the pressure, nowhere below zero in sum                        (T 3.15)
+//     q = - beta rho c h tr L,  q >= -p where p > 0, else 0
+double grainDynamics::dampingPressure(int i) const
+{
+    const double p
+        = -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
+    const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
+    const double q = -scheme_.bulkDamping * grains.rho[i]
+        * rheology_.elastic().c() * scene_.h * trL;
+    return p > 0 ? std::max(q, -p) : 0;
+}
+
 // The adjoint of gradient():
 //     A = (I - P) sigma B + P sigma B_p                              (T 3.12)
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
-    lpfPairs::forChunks(
-        grains.size(),
-        [&](int begin, int end, int)
-        {
-            for (int i = begin; i < end; ++i)
-            {
-                const Tens sigma = full(symmAt(grains.sigma, i));
-                const Tens sigmaB = sigma & full(symmAt(grains.B, i));
-                if (slot_[i] < 0)
-                {
-                    setTensor(grains.L, i, sigmaB);
-                    continue;
-                }
-                const auto slot = static_cast<std::size_t>(slot_[i]);
-                nearWall& near = near_[slot];
-                near.f = {0, 0, 0};
-                near.carried = false;
-                if (!near.closed)
-                {
-                    setTensor(grains.L, i, sigmaB);
-                    continue;
-                }
-                const Tens P = tangential(near.planarity, near.n);
-                const Tens mirrored = sigmaB - (P & sigmaB);
+    struct watts
+    {
+        double sum = 0;
+        void operator+=(const watts& b) { sum += b.sum; }
+    };
 
-                near.f = (-2 * grains.V[i] * scene_.planeThickness)
-                    * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
-                near.carried = (near.f & near.n) > 0;
-                setTensor(
-                    grains.L, i,
-                    mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
-                );
-            }
+    dampingPower_ = orderedSum<watts>(
+        grains.size(),
+        [&](int i)
+        {
+            const double trL
+                = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
+            const double q = dampingPressure(i);
+            stressMomentOf(i, q);
+            return watts{-q * trL * grains.V[i] * scene_.planeThickness};
         }
-    );
+    ).sum;
     for (auto& component : grains.L)
     {
         component.pad(grains.size(), 0);
+    }
+}
+
+void grainDynamics::stressMomentOf(int i, double q)
+{
+    const Tens sigma
+        = full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
+    const Tens sigmaB = sigma & full(symmAt(grains.B, i));
+    if (slot_[i] < 0)
+    {
+        setTensor(grains.L, i, sigmaB);
+        return;
+    }
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    nearWall& near = near_[slot];
+    near.f = {0, 0, 0};
+    near.carried = false;
+    if (!near.closed)
+    {
+        setTensor(grains.L, i, sigmaB);
+        return;
+    }
+    const Tens P = tangential(near.planarity, near.n);
+    const Tens mirrored = sigmaB - (P & sigmaB);
+
+    near.f = (-2 * grains.V[i] * scene_.planeThickness)
+        * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
+    near.carried = (near.f & near.n) > 0;
+    setTensor(
+        grains.L, i,
+        mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
+    );
+}
+
+// stressMoment() puts A in the place of L
+void grainDynamics::keepFlow()
+{
+    const int n = grains.size();
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+        flow_[c].resize(n);
+        std::copy_n(grains.L[c].data(), n, flow_[c].data());
+        flow_[c].pad(n, 0);
     }
 }
 
@@ -390,6 +433,10 @@ void grainDynamics::rates(scalar dt, scalar time)
     ledger.plastic += rates_.plastic;
     ledger.separation += rates_.separation;
 
+    if (scheme_.noiseDamping > 0)
+    {
+        keepFlow();
+    }
     stressMoment();
     engine_.force(forcePass());
     addGroundAndGravity();
@@ -429,7 +476,7 @@ vector afterFriction(const vector& U, const vector& n, scalar mostChange)
 
 void grainDynamics::kick(scalar dt)
 {
-    const bool viscous = scheme_.artificialViscosity > 0;
+    const bool viscous = scheme_.viscous();
 
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
@@ -476,7 +523,7 @@ void grainDynamics::kick(scalar dt)
     ledger.frictionImpulse += sums.friction;
     ledger.friction += sums.frictionEnergy;
     ledger.wallTension += sums.tension;
-    ledger.viscous += sums.viscous;
+    ledger.viscous += sums.viscous + dampingPower_ * dt;
 }
 
 namespace
@@ -753,7 +800,8 @@ std::size_t grainDynamics::bytes() const
     return grains.bytes() + order_.bytes() + slot_.bytes()
         + walls_.capacity() * sizeof(lpfPairs::wallRecord)
         + near_.capacity() * sizeof(nearWall)
-        + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes();
+        + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes()
+        + 9 * flow_[0].bytes();
 }
 
 } // namespace lpf

@@ -130,7 +130,8 @@ word grainRun::readSolution()
     );
     allowOnly(
         dict,
-        {"CFL", "artificialViscosity", "instructionSet", "logInterval",
+        {"CFL", "artificialViscosity", "noiseDamping", "bulkDamping",
+         "instructionSet", "logInterval",
          "stop"}
     );
 
@@ -149,6 +150,18 @@ word grainRun::readSolution()
                    "scheme's, not the material's; write 0 or 0.01";
     scheme_.artificialViscosity
         = readNumber(dict, "artificialViscosity", dimless, alpha, 0);
+
+    bounds beta;
+    beta.lower = 0;
+    beta.upper = 2;
+    beta.reason = "it damps what is not smooth between neighbours; above 2 "
+                  "the step is not stable; write 0 to 0.5";
+    scheme_.noiseDamping = readNumber(dict, "noiseDamping", dimless, beta, 0);
+
+    beta.upper = 1;
+    beta.reason = "it damps waves of compression; above 1 the step is not "
+                  "stable; write 0 to 0.5";
+    scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
 
     bounds count;
     count.lower = 1;
@@ -219,7 +232,9 @@ void grainRun::printSetup(const lpfPairs::pairEngine& engine) const
          << e.nu() << ", wave speed " << e.c() << " m/s" << nl
          << "Spacing " << scene_.spacing << " m, smoothing length " << scene_.h
          << " m, " << scene_.dimensions << " dimensions" << nl
-         << "Artificial viscosity " << scheme_.artificialViscosity << ", CFL "
+         << "Artificial viscosity " << scheme_.artificialViscosity
+         << ", noise damping " << scheme_.noiseDamping
+         << ", bulk damping " << scheme_.bulkDamping << ", CFL "
          << scheme_.CFL << nl
          << "Stop: endTime " << control_.endTime() << " s or "
          << stop_.criterion;

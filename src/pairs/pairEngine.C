@@ -131,7 +131,16 @@ Tensor<pack> loadTensor(const double* const A[9], int j)
         loadVec(A[6], A[7], A[8], j)};
 }
 
-//- Adds the artificial viscosity of one pack; returns the power taken [W/kg]
+//- What acts between particles besides the stress
+enum class viscosity
+{
+    none,
+    artificial, //!< Monaghan's
+    noise       //!< noise damping, with Monaghan's where alpha > 0
+};
+
+//- Adds the viscous terms of one pack; power is what they take [W/kg]
+template<viscosity kind>
 void addViscosity(
     const forcePass& p, const wendlandC2& W, int i, int j,
     const Vec<pack>& x_ij, const pack& rSqr, Vec<pack>& a, pack& power
@@ -140,10 +149,23 @@ void addViscosity(
     const Vec<pack> v_ij
         = broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
     const pack rhoMean = pack(0.5) * (pack(p.rho[i]) + load(p.rho + j));
-    const pack Pi = artificialViscosity(
-        x_ij, v_ij, rSqr, pack(p.alpha * p.h * p.soundSpeed), pack(p.h * p.h),
-        rhoMean
+    const pack hC(p.h * p.soundSpeed), hSqr(p.h * p.h);
+
+    pack Pi = artificialViscosity(
+        x_ij, v_ij, rSqr, pack(p.alpha) * hC, hSqr, rhoMean
     );
+    if constexpr (kind == viscosity::noise)
+    {
+        const Tensor<pack> L_j = loadTensor(p.L, j);
+        const Tensor<pack> L_i = {
+            broadcast(p.L[0], p.L[1], p.L[2], i),
+            broadcast(p.L[3], p.L[4], p.L[5], i),
+            broadcast(p.L[6], p.L[7], p.L[8], i)};
+        const Vec<pack> w_ij = v_ij - pack(0.5) * ((L_i + L_j) & x_ij);
+        Pi += noiseDamping(
+            x_ij, w_ij, rSqr, pack(p.beta) * hC, hSqr, rhoMean
+        );
+    }
     const pack mPiF
         = load(p.m + j) * Pi * W.gradByDistance(rSqr) / pack(p.thickness);
 
@@ -151,7 +173,7 @@ void addViscosity(
     power += pack(0.5) * mPiF * (v_ij & x_ij);
 }
 
-template<bool viscous>
+template<viscosity kind>
 LPF_ONE_BODY void forceOnParticle(
     const forcePass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -168,9 +190,9 @@ LPF_ONE_BODY void forceOnParticle(
                 total, pack(load(p.V + j) * W.gradByDistance(rSqr)), x_ij,
                 loadTensor(p.A, j)
             );
-            if constexpr (viscous)
+            if constexpr (kind != viscosity::none)
             {
-                addViscosity(p, W, i, j, x_ij, rSqr, a, power);
+                addViscosity<kind>(p, W, i, j, x_ij, rSqr, a, power);
             }
         }
     );
@@ -184,18 +206,18 @@ LPF_ONE_BODY void forceOnParticle(
         const Vec<double> row
             = {p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
         *out[c] = s * ((row & g) + sum(total.other, c));
-        if constexpr (viscous)
+        if constexpr (kind != viscosity::none)
         {
             *out[c] += sum(a, c);
         }
     }
-    if constexpr (viscous)
+    if constexpr (kind != viscosity::none)
     {
         p.viscousPower[i] = p.m[i] * lpfPairs::sum(power);
     }
 }
 
-template<bool viscous>
+template<viscosity kind>
 void force(const forcePass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -207,7 +229,7 @@ void force(const forcePass& p)
             const runs around = runsAround(p.cells, cx, cy, cz);
             for (int i = begin; i < end; ++i)
             {
-                forceOnParticle<viscous>(p, W, around, i);
+                forceOnParticle<kind>(p, W, around, i);
             }
         }
     );
@@ -215,7 +237,18 @@ void force(const forcePass& p)
 
 void anyForce(const forcePass& p)
 {
-    p.alpha > 0 ? force<true>(p) : force<false>(p);
+    if (p.beta > 0)
+    {
+        force<viscosity::noise>(p);
+    }
+    else if (p.alpha > 0)
+    {
+        force<viscosity::artificial>(p);
+    }
+    else
+    {
+        force<viscosity::none>(p);
+    }
 }
 
 //- Nearest element so far in each lane
