@@ -27,6 +27,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <type_traits>
 
 using namespace Foam;
 using namespace Foam::lpf;
@@ -61,7 +62,7 @@ blockOf(vtkMultiBlockDataSet* blocks, const std::vector<std::string>& path)
 template<class T>
 scalar difference(vtkDataArray* array, const UList<T>& expected)
 {
-    constexpr int n = int(sizeof(T) / sizeof(scalar));
+    constexpr int n = std::is_same_v<T, scalar> ? 1 : 3;
     REQUIRE(array);
     REQUIRE(array->GetNumberOfTuples() == expected.size());
     REQUIRE(array->GetNumberOfComponents() == n);
