@@ -108,7 +108,7 @@ public:
             const point a = circle(scalar(k) / segments_);
             const point b = circle(scalar(k + 1) / segments_);
             List<point> strip{a - half, b - half, b + half, a + half};
-            if (!inside_)
+            if (inside_)
             {
                 Swap(strip[1], strip[3]);
             }
