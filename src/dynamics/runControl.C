@@ -87,6 +87,7 @@ runControl::runControl(const fileName& caseDir)
     positive.lowerOpen = true;
     positive.reason = "a time step is positive";
     maxDeltaT = readNumber(dict, "maxDeltaT", dimTime, positive, GREAT);
+    firstDeltaT_ = readNumber(dict, "deltaT", dimTime, positive, GREAT);
     chooseStart(dict);
 }
 
@@ -199,10 +200,7 @@ void runControl::readIfModified()
 scalar runControl::step(scalar stable)
 {
     scalar dt = min(stable, maxDeltaT);
-    if (unrestricted > 0)
-    {
-        dt = min(dt, 1.1 * unrestricted);
-    }
+    dt = min(dt, unrestricted > 0 ? 1.1 * unrestricted : firstDeltaT_);
     unrestricted = dt;
 
     // the next time to meet exactly; the last steps before it are made equal

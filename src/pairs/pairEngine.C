@@ -37,6 +37,15 @@ double sum(const Vec<pack>& a, int component)
     return lpfPairs::sum(component == 0 ? a.x : component == 1 ? a.y : a.z);
 }
 
+//- Sums over the lanes. By value: where the address of a total is taken, the
+//  compiler keeps it in memory for the whole loop
+void store(Vec<pack> a, double* const* to, int i)
+{
+    to[0][i] = lpfPairs::sum(a.x);
+    to[1][i] = lpfPairs::sum(a.y);
+    to[2][i] = lpfPairs::sum(a.z);
+}
+
 //- Walk the packs of all runs; term(j, x_ij, rSqr, near) where a lane is near
 template<class Term>
 inline void overPairs(
@@ -94,16 +103,11 @@ LPF_ONE_BODY void kinematicsOfParticle(
         }
     );
 
-    const Vec<pack>* rows[3] = {&total.R.x, &total.R.y, &total.R.z};
-    for (int c = 0; c < 9; ++c)
-    {
-        p.R[c][i] = sum(*rows[c / 3], c % 3);
-    }
-    const pack* M = &total.M.xx;
-    for (int c = 0; c < 6; ++c)
-    {
-        p.M[c][i] = lpfPairs::sum(M[c]);
-    }
+    store(total.R.x, p.R, i);
+    store(total.R.y, p.R + 3, i);
+    store(total.R.z, p.R + 6, i);
+    store({total.M.xx, total.M.xy, total.M.xz}, p.M, i);
+    store({total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
 }
 
 void kinematics(const kinematicsPass& p)
@@ -290,12 +294,15 @@ struct nearestLanes
 
 void store(const WallSums<pack>& from, wallRecord& to)
 {
-    const pack* N3 = &from.N3.xxx;
+    const SymmTensor3<pack> N = from.N3;
+    const pack N3[10] = {N.xxx, N.xxy, N.xxz, N.xyy, N.xyz,
+                         N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
     for (int c = 0; c < 10; ++c)
     {
         to.N3[c] = lpfPairs::sum(N3[c]);
     }
-    const pack* D2 = &from.D2.xx;
+    const SymmTensor<pack> D = from.D2;
+    const pack D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
     for (int c = 0; c < 6; ++c)
     {
         to.D2[c] = lpfPairs::sum(D2[c]);

@@ -113,9 +113,19 @@ void scenePreparation::write() const
          {fileName("constant/terrain"),
           fileName("constant/polyMesh"),
           fileName("constant/releaseProperties"),
+          fileName("0/uniform"),
           fileName("0/lagrangian")})
     {
         replace(from / part, caseDir_ / part);
+    }
+    // foamToVTK and checkMesh ask for these; the user's own ones stay
+    for (const fileName& part :
+         {fileName("system/fvSchemes"), fileName("system/fvSolution")})
+    {
+        if (!isFile(caseDir_ / part))
+        {
+            replace(from / part, caseDir_ / part);
+        }
     }
     // ParaView's reader opens a case by an empty file of this kind
     OFstream(caseDir_ / caseDir_.name() + ".foam");
