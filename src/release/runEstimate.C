@@ -15,8 +15,9 @@ constexpr scalar speedRatio = 20;
 // Time step over h/c
 constexpr scalar courant = 0.3;
 
-// Memory of a dry particle with its share of neighbour search and ground
-constexpr scalar bytesPerParticle = 500;
+// Memory of a dry particle with its share of neighbour search and ground,
+// as the flume printed
+constexpr scalar bytesPerParticle = 700;
 
 // Speed of the solver, two cores
 constexpr scalar particleStepsPerSecond = 1.5e6;

@@ -176,10 +176,17 @@ ground::signedDistance(const point& x, const scalar searchRadius) const
 
 surfaceElements ground::elements(const scalar spacing) const
 {
+    return elements(spacing, boundBox::greatBox);
+}
+
+
+surfaceElements
+ground::elements(const scalar spacing, const boundBox& within) const
+{
     surfaceElements all;
     forAll (parts_, i)
     {
-        parts_[i].elements(spacing, all);
+        parts_[i].elements(spacing, within, all);
     }
     return all;
 }

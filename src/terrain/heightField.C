@@ -15,6 +15,18 @@ defineTypeNameAndDebug(heightField, 0);
 addToRunTimeSelectionTable(groundPart, heightField, dictionary);
 
 
+namespace
+{
+
+// Cell that holds a coordinate in cells, or the nearest one
+label place(const scalar s, const label last)
+{
+    return s > 0 ? (s < last ? label(s) : last) : 0;
+}
+
+} // namespace
+
+
 heightField::heightField(
     const heightGrid& grid, scalarField&& z, const label zone
 )
@@ -271,8 +283,6 @@ void heightField::nearest(const point& x, const scalar radius, groundHit& hit)
     {
         return;
     }
-    const auto place = [](const scalar s, const label last)
-    { return s > 0 ? (s < last ? label(s) : last) : 0; };
     const label ci = place((x.x() - grid_.x0) / grid_.dx, mx);
     const label cj = place((x.y() - grid_.y0) / grid_.dy, my);
     const scalar side = min(grid_.dx, grid_.dy);
@@ -331,18 +341,28 @@ void heightField::elevation(const scalar x, const scalar y, groundHit& hit)
 }
 
 
-void heightField::elements(const scalar spacing, surfaceElements& elements)
-    const
+void heightField::elements(
+    const scalar spacing, const boundBox& within, surfaceElements& elements
+) const
 {
-    for (label j = 0; j < grid_.ny - 1; ++j)
+    const label mx = grid_.nx - 2, my = grid_.ny - 2;
+    const vector cell(grid_.dx, grid_.dy, 1);
+    const point corner(grid_.x0, grid_.y0, 0);
+    const vector from = cmptDivide(within.min() - corner, cell);
+    const vector to = cmptDivide(within.max() - corner, cell);
+    for (label j = place(from.y(), my); j <= place(to.y(), my); ++j)
     {
-        for (label i = 0; i < grid_.nx - 1; ++i)
+        for (label i = place(from.x(), mx); i <= place(to.x(), mx); ++i)
         {
-            const cellTriangles here = cell(i, j);
+            const cellTriangles here = this->cell(i, j);
             for (label k = 0; k < here.count; ++k)
             {
                 appendElements(
-                    cornersOf(here.vertices[k]), zone_, spacing, elements
+                    cornersOf(here.vertices[k]),
+                    zone_,
+                    spacing,
+                    within,
+                    elements
                 );
             }
         }

@@ -169,16 +169,50 @@ void take(
 namespace
 {
 
+// Of two boxes side by side one has a point on the face between them
+bool isWithin(const boundBox& box, const point& x)
+{
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (x[k] < box.min()[k] || x[k] >= box.max()[k])
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+bool mayBeWithin(const boundBox& box, const corners& t)
+{
+    return box.overlaps(
+        boundBox(min(t[0], min(t[1], t[2])), max(t[0], max(t[1], t[2])))
+    );
+}
+
+
+// What is the same for all elements of a triangle
+struct elementRequest
+{
+    label zone;
+    scalar spacingSqr;
+    const boundBox& within;
+};
+
+
 // Halve across the longest edge until no edge is longer than spacing. nA is
 // halved with it, so that the sum over the elements is nA to the last bit
 void bisect(
     const corners& t,
     const vector& nA,
-    const label zone,
-    const scalar spacingSqr,
+    const elementRequest& request,
     surfaceElements& elements
 )
 {
+    if (!mayBeWithin(request.within, t))
+    {
+        return;
+    }
     FixedList<scalar, 3> edge;
     for (label i = 0; i < 3; ++i)
     {
@@ -187,11 +221,15 @@ void bisect(
     const scalar longest = max(edge[0], max(edge[1], edge[2]));
     // spacing may be an edge divided by a number: a rounding error must not
     // double the elements
-    if (longest <= spacingSqr * (1 + 1e-9))
+    if (longest <= request.spacingSqr * (1 + 1e-9))
     {
-        elements.x.append((t[0] + t[1] + t[2]) / 3);
-        elements.nA.append(nA);
-        elements.zone.append(zone);
+        const point x = (t[0] + t[1] + t[2]) / 3;
+        if (isWithin(request.within, x))
+        {
+            elements.x.append(x);
+            elements.nA.append(nA);
+            elements.zone.append(request.zone);
+        }
         return;
     }
     label i = 0;
@@ -201,8 +239,8 @@ void bisect(
     }
     const point &a = t[i], &b = t[(i + 1) % 3], &c = t[(i + 2) % 3];
     const point m = 0.5 * (a + b);
-    bisect(corners{a, m, c}, 0.5 * nA, zone, spacingSqr, elements);
-    bisect(corners{m, b, c}, 0.5 * nA, zone, spacingSqr, elements);
+    bisect(corners{a, m, c}, 0.5 * nA, request, elements);
+    bisect(corners{m, b, c}, 0.5 * nA, request, elements);
 }
 
 } // namespace
@@ -212,10 +250,11 @@ void appendElements(
     const corners& t,
     const label zone,
     const scalar spacing,
+    const boundBox& within,
     surfaceElements& elements
 )
 {
-    bisect(t, 0.5 * areaVector(t), zone, sqr(spacing), elements);
+    bisect(t, 0.5 * areaVector(t), {zone, sqr(spacing), within}, elements);
 }
 
 } // namespace lpf

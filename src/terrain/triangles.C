@@ -354,11 +354,13 @@ void triangles::elevation(const scalar x, const scalar y, groundHit& hit) const
 }
 
 
-void triangles::elements(const scalar spacing, surfaceElements& elements) const
+void triangles::elements(
+    const scalar spacing, const boundBox& within, surfaceElements& elements
+) const
 {
     forAll (triangles_, i)
     {
-        appendElements(triangles_[i], zone_[i], spacing, elements);
+        appendElements(triangles_[i], zone_[i], spacing, within, elements);
     }
 }
 

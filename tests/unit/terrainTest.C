@@ -364,6 +364,30 @@ TEST_CASE("elements add up to the area to the last bit", "[terrain]")
     }
 }
 
+TEST_CASE("boxes side by side share the elements", "[terrain]")
+{
+    const heightGrid grid{9, 9, 0, 0, 1, 1};
+    const ground field = heightsOf(
+        grid, [](const scalar x, const scalar y) { return std::sin(x * y); }
+    );
+    const surfaceElements all = field.elements(0.4);
+    label n = 0;
+    scalar area = 0;
+    for (const scalar x : {-1., 1., 3., 5., 7.})
+    {
+        for (const scalar y : {-1., 1.5, 4., 6.5})
+        {
+            const surfaceElements part = field.elements(
+                0.4, boundBox(point(x, y, -9), point(x + 2, y + 2.5, 9))
+            );
+            n += part.x.size();
+            area += totalArea(part);
+        }
+    }
+    CHECK(n == all.x.size());
+    CHECK(area == Approx(totalArea(all)).epsilon(1e-12));
+}
+
 TEST_CASE("lengths times a power of two give the same bits", "[terrain]")
 {
     const auto shape = [](const scalar scale)
