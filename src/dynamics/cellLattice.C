@@ -60,13 +60,12 @@ void cellLattice::sort(
     lpfPairs::cellGrid& grid = cells.grid;
     boundingBox(x, n, grid);
 
-    const double count
-        = 1.0 * grid.n[0] * grid.n[1] * grid.n[2];
+    const double count = 1.0 * grid.n[0] * grid.n[1] * grid.n[2];
     if (!(count < 2e9))
     {
         FatalErrorInFunction
-            << "The particles span " << grid.n[0] << " x " << grid.n[1]
-            << " x " << grid.n[2] << " cells of " << grid.edge[0]
+            << "The particles span " << grid.n[0] << " x " << grid.n[1] << " x "
+            << grid.n[2] << " cells of " << grid.edge[0]
             << " m: some of them have left far behind the others. Give the "
             << "ground a smaller extent or the particles a larger spacing"
             << exit(FatalError);

@@ -41,9 +41,8 @@ word best(const wordList& all)
             return isa;
         }
     }
-    FatalErrorInFunction
-        << "This processor has none of the instruction sets " << all
-        << exit(FatalError);
+    FatalErrorInFunction << "This processor has none of the instruction sets "
+                         << all << exit(FatalError);
     return word();
 }
 
@@ -56,18 +55,18 @@ const lpfPairs::pairEngine& loadPairEngine(const word& instructionSet)
 
     if (!runsHere(isa))
     {
-        FatalErrorInFunction
-            << "instructionSet " << isa << " is not supported by this "
-            << "processor; write auto" << exit(FatalError);
+        FatalErrorInFunction << "instructionSet " << isa
+                             << " is not supported by this "
+                             << "processor; write auto" << exit(FatalError);
     }
 
     const std::string library = "libLpfPairs_" + isa + ".so";
     void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
     {
-        FatalErrorInFunction
-            << "cannot load " << library << ": " << dlerror()
-            << ". Build it with ./Allwmake" << exit(FatalError);
+        FatalErrorInFunction << "cannot load " << library << ": " << dlerror()
+                             << ". Build it with ./Allwmake"
+                             << exit(FatalError);
     }
     const auto entry = reinterpret_cast<lpfPairs::pairEngineEntry>(
         dlsym(handle, "lpfPairEngine")

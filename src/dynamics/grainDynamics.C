@@ -87,24 +87,19 @@ grainDynamics::grainDynamics(
     const granularRheology& rheology,
     groundContact& contact
 )
-:
-    engine_(engine),
-    scene_(scene),
-    scheme_(scheme),
-    rheology_(rheology),
-    contact_(contact),
-    lattice_(scene.h, scene.cyclic)
-{}
+    : engine_(engine), scene_(scene), scheme_(scheme), rheology_(rheology),
+      contact_(contact), lattice_(scene.h, scene.cyclic)
+{
+}
 
 void grainDynamics::densityFromPressure()
 {
     for (int i = 0; i < grains.size(); ++i)
     {
-        const double p
-            = -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i])
-            / 3;
-        grains.rho[i]
-            = grains.rhoRef[i] * (1 + p / rheology_.elastic().K()); // (T 3.4)
+        const double p =
+            -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
+        grains.rho[i] =
+            grains.rhoRef[i] * (1 + p / rheology_.elastic().K()); // (T 3.4)
     }
 }
 
@@ -124,8 +119,7 @@ void grainDynamics::volumes()
     const int n = grains.size();
     for (int i = 0; i < n; ++i)
     {
-        grains.V[i]
-            = grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
+        grains.V[i] = grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
     }
     grains.V.pad(n, 0);
     grains.rho.pad(n, 1);
@@ -251,11 +245,11 @@ void grainDynamics::gradient()
                 const Vec3 nA = contracted(N3);
                 const double magnitude = std::sqrt(magSqr(nA));
                 near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
-                near.planarity = wall.area > 0
-                    ? std::max(0.0, 10 * magnitude / wall.area - 9)
-                    : 0;
-                near.friction
-                    = wall.area > 0 ? wall.friction / wall.area : 0;
+                near.planarity =
+                    wall.area > 0
+                        ? std::max(0.0, 10 * magnitude / wall.area - 9)
+                        : 0;
+                near.friction = wall.area > 0 ? wall.friction / wall.area : 0;
                 near.Bp = momentInverse(M);
 
                 // the ground neither holds a grain back nor stretches it:
@@ -270,18 +264,16 @@ void grainDynamics::gradient()
                     continue;
                 }
 
-                const Symm B = momentInverse(
-                    M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]}
-                );
+                const Symm B =
+                    momentInverse(M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]});
                 const Symm Nv = N3 & v;
-                const Tens mirrored
-                    = (R + full(Nv + Nv)) & full(B); // (T 4.3)
+                const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
                 const Tens P = tangential(near.planarity, near.n);
                 setSymm(grains.B, i, B);
                 setTensor(
-                    grains.L, i,
-                    mirrored
-                        + (P & ((R & full(near.Bp)) - mirrored)) // (T 4.4)
+                    grains.L,
+                    i,
+                    mirrored + (P & ((R & full(near.Bp)) - mirrored)) // (T 4.4)
                 );
             }
         }
@@ -293,11 +285,11 @@ void grainDynamics::gradient()
 //     q = - beta rho c h tr L,  q >= -p where p > 0, else 0
 double grainDynamics::dampingPressure(int i) const
 {
-    const double p
-        = -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
+    const double p =
+        -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
     const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
     const double q = -scheme_.bulkDamping * grains.rho[i]
-        * rheology_.elastic().c() * scene_.h * trL;
+                   * rheology_.elastic().c() * scene_.h * trL;
     return p > 0 ? std::max(q, -p) : 0;
 }
 
@@ -312,17 +304,18 @@ void grainDynamics::stressMoment()
         void operator+=(const watts& b) { sum += b.sum; }
     };
 
-    dampingPower_ = orderedSum<watts>(
-        grains.size(),
-        [&](int i)
-        {
-            const double trL
-                = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
-            const double q = dampingPressure(i);
-            stressMomentOf(i, q);
-            return watts{-q * trL * grains.V[i] * scene_.planeThickness};
-        }
-    ).sum;
+    dampingPower_ =
+        orderedSum<watts>(
+            grains.size(),
+            [&](int i)
+            {
+                const double trL =
+                    grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
+                const double q = dampingPressure(i);
+                stressMomentOf(i, q);
+                return watts{-q * trL * grains.V[i] * scene_.planeThickness};
+            }
+        ).sum;
     for (auto& component : grains.L)
     {
         component.pad(grains.size(), 0);
@@ -331,8 +324,8 @@ void grainDynamics::stressMoment()
 
 void grainDynamics::stressMomentOf(int i, double q)
 {
-    const Tens sigma
-        = full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
+    const Tens sigma =
+        full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
     const Tens sigmaB = sigma & full(symmAt(grains.B, i));
     if (slot_[i] < 0)
     {
@@ -352,10 +345,11 @@ void grainDynamics::stressMomentOf(int i, double q)
     const Tens mirrored = sigmaB - (P & sigmaB);
 
     near.f = (-2 * grains.V[i] * scene_.planeThickness)
-        * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
+           * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
     near.carried = (near.f & near.n) > 0;
     setTensor(
-        grains.L, i,
+        grains.L,
+        i,
         mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
     );
 }
@@ -383,8 +377,8 @@ void grainDynamics::addGroundAndGravity()
                 vector a = at(grains.a, i) + scene_.g;
                 if (slot_[i] >= 0)
                 {
-                    const nearWall& near
-                        = near_[static_cast<std::size_t>(slot_[i])];
+                    const nearWall& near =
+                        near_[static_cast<std::size_t>(slot_[i])];
                     if (near.carried)
                     {
                         a += toVector(near.f) / grains.mass[i];
@@ -491,8 +485,8 @@ void grainDynamics::kick(scalar dt)
 
             if (slot_[i] >= 0)
             {
-                const nearWall& near
-                    = near_[static_cast<std::size_t>(slot_[i])];
+                const nearWall& near =
+                    near_[static_cast<std::size_t>(slot_[i])];
                 const vector f = toVector(near.f);
                 const scalar N = mag(f);
                 if (near.carried)
@@ -504,8 +498,7 @@ void grainDynamics::kick(scalar dt)
                     s.wall = f * dt;
                     s.wallNormal = N * dt;
                     s.friction = m * (U - sliding);
-                    s.frictionEnergy
-                        = 0.5 * m * (magSqr(sliding) - magSqr(U));
+                    s.frictionEnergy = 0.5 * m * (magSqr(sliding) - magSqr(U));
                 }
                 else
                 {
@@ -589,17 +582,15 @@ void grainDynamics::drift(scalar dt, scalar time)
             bool look = false;
             if (slot_[i] >= 0)
             {
-                const lpfPairs::wallRecord& wall
-                    = walls_[static_cast<std::size_t>(slot_[i])];
-                const vector n(
-                    wall.normal[0], wall.normal[1], wall.normal[2]
-                );
+                const lpfPairs::wallRecord& wall =
+                    walls_[static_cast<std::size_t>(slot_[i])];
+                const vector n(wall.normal[0], wall.normal[1], wall.normal[2]);
                 look = wall.distance + (n & step) < closest;
             }
             for (int tries = 0; look && tries < 4; ++tries)
             {
-                const groundHit hit
-                    = contact_.signedDistance(x, scene_.spacing);
+                const groundHit hit =
+                    contact_.signedDistance(x, scene_.spacing);
                 look = hit.found && hit.distance < closest;
                 if (!look)
                 {
@@ -610,16 +601,16 @@ void grainDynamics::drift(scalar dt, scalar time)
                 x += (closest - hit.distance) * hit.normal;
                 const vector stopped = U + approach * hit.normal;
                 U = afterFriction(
-                    stopped, hit.normal,
+                    stopped,
+                    hit.normal,
                     contact_.effectiveFriction(hit.zone) * approach
                 );
                 s.impulse += m * approach * hit.normal;
                 s.normal += m * approach;
                 s.friction += m * (U - stopped);
                 s.energy += 0.5 * m * (magSqr(before) - magSqr(stopped))
-                    + m * (g & (x - from));
-                s.frictionEnergy
-                    += 0.5 * m * (magSqr(stopped) - magSqr(U));
+                          + m * (g & (x - from));
+                s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
             }
 
             const vector shift = wrapShift(x, scene_.cyclic);
@@ -646,8 +637,12 @@ namespace
 grainPoint pointAt(const grainStore& grains, int i)
 {
     return {
-        tensorAt(grains.L, i), symmAt(grains.sigma, i), grains.rho[i],
-        grains.rhoRef[i], grains.mass[i], grains.I[i]};
+        tensorAt(grains.L, i),
+        symmAt(grains.sigma, i),
+        grains.rho[i],
+        grains.rhoRef[i],
+        grains.mass[i],
+        grains.I[i]};
 }
 
 } // namespace
@@ -684,7 +679,7 @@ void grainDynamics::removeLeavers(scalar time)
         ledger.leftMass.add(m);
         ledger.leftMomentum += m * U;
         ledger.left += 0.5 * m * magSqr(U) - m * (scene_.g & x)
-            + rheology_.storedEnergy(pointAt(grains, i));
+                     + rheology_.storedEnergy(pointAt(grains, i));
     }
     if (kept < n)
     {
@@ -704,9 +699,8 @@ timeStepLimit grainDynamics::stableDeltaT() const
         grains.size(), [&](int i) { return magSqr(at(grains.a, i)); }
     ));
 
-    timeStepLimit limit
-        = {scheme_.CFL * scene_.h / (rheology_.elastic().c() + speed),
-           "elastic"};
+    timeStepLimit limit = {
+        scheme_.CFL * scene_.h / (rheology_.elastic().c() + speed), "elastic"};
     const auto take = [&](scalar deltaT, const char* rule)
     {
         if (deltaT < limit.deltaT)
@@ -798,10 +792,10 @@ scalar grainDynamics::movingMassShare(scalar threshold) const
 std::size_t grainDynamics::bytes() const
 {
     return grains.bytes() + order_.bytes() + slot_.bytes()
-        + walls_.capacity() * sizeof(lpfPairs::wallRecord)
-        + near_.capacity() * sizeof(nearWall)
-        + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes()
-        + 9 * flow_[0].bytes();
+         + walls_.capacity() * sizeof(lpfPairs::wallRecord)
+         + near_.capacity() * sizeof(nearWall)
+         + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes()
+         + 9 * flow_[0].bytes();
 }
 
 } // namespace lpf

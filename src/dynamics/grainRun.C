@@ -36,7 +36,8 @@ cyclicBox readCyclic(const dictionary& dict, const point& origin)
             if (!(ends[0] < ends[1]))
             {
                 refuse(
-                    cyclic, axes[d],
+                    cyclic,
+                    axes[d],
                     "The lower plane must come first; write (lower upper) in m"
                 );
             }
@@ -50,9 +51,7 @@ cyclicBox readCyclic(const dictionary& dict, const point& origin)
 } // namespace
 
 grainRun::grainRun(const fileName& caseDir)
-:
-    caseDir_(caseDir),
-    control_(caseDir)
+    : caseDir_(caseDir), control_(caseDir)
 {
     const dictionary boundary(
         readDictionary(caseDir / "constant" / "boundaryProperties")
@@ -66,7 +65,8 @@ grainRun::grainRun(const fileName& caseDir)
     if (names != wordList({"grains"}))
     {
         refuse(
-            phases, "phases",
+            phases,
+            "phases",
             "This version moves grains alone; write phases (grains);"
         );
     }
@@ -77,9 +77,7 @@ grainRun::grainRun(const fileName& caseDir)
             << endl;
     }
     phase_ = phases.subDict("grains");
-    allowOnly(
-        phase_, {"rho", "diameter", "rheology", "muICoeffs"}
-    );
+    allowOnly(phase_, {"rho", "diameter", "rheology", "muICoeffs"});
 
     bounds positive;
     positive.lower = 0;
@@ -105,10 +103,9 @@ void grainRun::readScene(const dictionary& boundaryProperties)
     scene_.spacing = release.get<scalar>("spacing");
     scene_.h = release.get<scalar>("smoothingLength");
     scene_.dimensions = release.get<label>("dimensions");
-    scene_.planeThickness
-        = release.getOrDefault<scalar>("planeThickness", 1);
-    scene_.planeNormal
-        = release.getOrDefault<vector>("planeNormal", vector(0, 1, 0));
+    scene_.planeThickness = release.getOrDefault<scalar>("planeThickness", 1);
+    scene_.planeNormal =
+        release.getOrDefault<vector>("planeNormal", vector(0, 1, 0));
     scene_.g = readGravity(caseDir_);
     scene_.cyclic = readCyclic(boundaryProperties, ground_->origin());
 
@@ -118,20 +115,22 @@ void grainRun::readScene(const dictionary& boundaryProperties)
     }
     if (stop_.after <= 0 && mag(scene_.g) > 0)
     {
-        stop_.after
-            = 2 * sqrt(release.get<scalar>("releaseHeight") / mag(scene_.g));
+        stop_.after =
+            2 * sqrt(release.get<scalar>("releaseHeight") / mag(scene_.g));
     }
 }
 
 word grainRun::readSolution()
 {
-    const dictionary dict(
-        readDictionary(caseDir_ / "system" / "lpfSolution")
-    );
+    const dictionary dict(readDictionary(caseDir_ / "system" / "lpfSolution"));
     allowOnly(
         dict,
-        {"CFL", "artificialViscosity", "noiseDamping", "bulkDamping",
-         "instructionSet", "logInterval",
+        {"CFL",
+         "artificialViscosity",
+         "noiseDamping",
+         "bulkDamping",
+         "instructionSet",
+         "logInterval",
          "stop"}
     );
 
@@ -148,8 +147,8 @@ word grainRun::readSolution()
     alpha.upper = 1;
     alpha.reason = "it is Monaghan's alpha; above 0.1 the answer is the "
                    "scheme's, not the material's; write 0 or 0.01";
-    scheme_.artificialViscosity
-        = readNumber(dict, "artificialViscosity", dimless, alpha, 0);
+    scheme_.artificialViscosity =
+        readNumber(dict, "artificialViscosity", dimless, alpha, 0);
 
     bounds beta;
     beta.lower = 0;
@@ -166,9 +165,7 @@ word grainRun::readSolution()
     bounds count;
     count.lower = 1;
     count.reason = "a number of steps";
-    logInterval_ = label(
-        readNumber(dict, "logInterval", dimless, count, 100)
-    );
+    logInterval_ = label(readNumber(dict, "logInterval", dimless, count, 100));
 
     const dictionary& stop = dict.subOrEmptyDict("stop");
     allowOnly(stop, {"criterion", "share", "speed", "after"});
@@ -187,21 +184,21 @@ word grainRun::readSolution()
     stop_.after = readNumber(stop, "after", dimTime, notNegative, 0);
 
     return readChoice(
-        dict, "instructionSet",
-        {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"}, "auto"
+        dict,
+        "instructionSet",
+        {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"},
+        "auto"
     );
 }
 
-void grainRun::makeModels(
-    const dictionary& boundaryProperties, const word& isa
-)
+void grainRun::makeModels(const dictionary& boundaryProperties, const word& isa)
 {
     const dictionary release(
         readDictionary(caseDir_ / "constant" / "releaseProperties")
     );
     stiffnessScale scale;
-    scale.rhoBulk = grainDensity_
-        * release.subDict("grains").get<scalar>("solidFraction");
+    scale.rhoBulk =
+        grainDensity_ * release.subDict("grains").get<scalar>("solidFraction");
     scale.gH = mag(scene_.g) * release.get<scalar>("releaseHeight");
     scale.maxSpeed = release.get<scalar>("maxSpeed");
 
@@ -211,7 +208,9 @@ void grainRun::makeModels(
     );
     rheology_ = granularRheology::New(phase_, elastic);
     contact_.reset(new groundContact(
-        *ground_, boundaryProperties, scene_.spacing,
+        *ground_,
+        boundaryProperties,
+        scene_.spacing,
         scene_.dimensions == 2 ? scene_.planeThickness : 0,
         scene_.planeNormal
     ));
@@ -226,16 +225,14 @@ void grainRun::printSetup(const lpfPairs::pairEngine& engine) const
 {
     const elasticity& e = rheology_->elastic();
     Info << nl << "Pair engine " << engine.instructionSet << ", "
-         << engine.lanes << " lanes, double; threads "
-         << omp_get_max_threads() << nl
-         << "Grains: " << rheology_->type() << ", E " << e.E() << " Pa, nu "
-         << e.nu() << ", wave speed " << e.c() << " m/s" << nl
+         << engine.lanes << " lanes, double; threads " << omp_get_max_threads()
+         << nl << "Grains: " << rheology_->type() << ", E " << e.E()
+         << " Pa, nu " << e.nu() << ", wave speed " << e.c() << " m/s" << nl
          << "Spacing " << scene_.spacing << " m, smoothing length " << scene_.h
          << " m, " << scene_.dimensions << " dimensions" << nl
          << "Artificial viscosity " << scheme_.artificialViscosity
-         << ", noise damping " << scheme_.noiseDamping
-         << ", bulk damping " << scheme_.bulkDamping << ", CFL "
-         << scheme_.CFL << nl
+         << ", noise damping " << scheme_.noiseDamping << ", bulk damping "
+         << scheme_.bulkDamping << ", CFL " << scheme_.CFL << nl
          << "Stop: endTime " << control_.endTime() << " s or "
          << stop_.criterion;
     if (stop_.criterion == "movingMass")
@@ -260,17 +257,17 @@ void grainRun::readState()
     {
         if (!cloud.scalars.found(needed))
         {
-            FatalErrorInFunction
-                << dir << "/lagrangian/grains has no field " << needed
-                << ". Run terrainToParticles again" << exit(FatalError);
+            FatalErrorInFunction << dir << "/lagrangian/grains has no field "
+                                 << needed << ". Run terrainToParticles again"
+                                 << exit(FatalError);
         }
     }
     d.grains.fromCloud(cloud, grainDensity_);
 
     boundBox domain = ground_->bounds();
     const dictionary state = isFile(dir / "uniform" / "lpfState")
-        ? readDictionary(dir / "uniform" / "lpfState")
-        : dictionary();
+                               ? readDictionary(dir / "uniform" / "lpfState")
+                               : dictionary();
     continued_ = !state.empty();
 
     if (continued_)
@@ -290,8 +287,8 @@ void grainRun::readState()
         d.densityFromPressure();
         d.ledger.initialMass = d.mass();
         domain.add(cloud.positions);
-        const vector up = mag(scene_.g) > 0
-            ? vector(-scene_.g / mag(scene_.g)) : vector(0, 0, 1);
+        const vector up = mag(scene_.g) > 0 ? vector(-scene_.g / mag(scene_.g))
+                                            : vector(0, 0, 1);
         const scalar margin = 4 * scene_.h;
         const boundBox low(domain);
         const vector above = headroom * low.mag() * up;
@@ -305,17 +302,19 @@ void grainRun::readState()
 
     Info << "Start from " << control_.timeName(control_.startTime())
          << (continued_ ? " (continued)" : "") << ": " << cloud.size()
-         << " grains, " << d.ledger.initialMass.value() - d.ledger.leftMass.value()
-         << " kg; expected memory "
-         << label(600.0 * cloud.size() / 1048576 + 1) << " MiB" << nl << endl;
+         << " grains, "
+         << d.ledger.initialMass.value() - d.ledger.leftMass.value()
+         << " kg; expected memory " << label(600.0 * cloud.size() / 1048576 + 1)
+         << " MiB" << nl << endl;
 }
 
 void grainRun::openSeries()
 {
     const fileName dir = caseDir_ / "postProcessing" / "lpfSolver"
-        / control_.timeName(control_.startTime());
+                       / control_.timeName(control_.startTime());
     balanceFile_.reset(new seriesFile(
-        dir, "balance.dat",
+        dir,
+        "balance.dat",
         "time[s] mass[kg] left[kg] kinetic[J] potential[J] elastic[J] "
         "plastic[J] separation[J] friction[J] viscous[J] projection[J] "
         "wallTension[J] leftEnergy[J] unexplained[J] momentumX[Ns] "
@@ -324,7 +323,8 @@ void grainRun::openSeries()
         "wallImpulse[Ns] contactImpulse[Ns]"
     ));
     leaversFile_.reset(new seriesFile(
-        dir, "left.dat",
+        dir,
+        "left.dat",
         "time[s] id x[m] y[m] z[m] Ux[m/s] Uy[m/s] Uz[m/s] mass[kg]"
     ));
 }
@@ -354,8 +354,8 @@ void grainRun::step()
     {
         FatalErrorInFunction
             << "The time step limit " << limit_.rule << " gives "
-            << limit_.deltaT << " s at time " << control_.time
-            << " s, step " << control_.index
+            << limit_.deltaT << " s at time " << control_.time << " s, step "
+            << control_.index
             << ": the solution is not finite. Restart from the last time "
             << "with a smaller CFL, or with artificialViscosity 0.01"
             << exit(FatalError);
@@ -414,26 +414,23 @@ void grainRun::logStep()
     const std::chrono::duration<scalar> since = now - lastLog_;
     const std::chrono::duration<scalar> total = now - began_;
     const label steps = control_.index - lastIndex_;
-    const scalar rate = since.count() > 0
-        ? steps * scalar(d.grains.size()) / since.count() : 0;
-    const scalar secondsLeft = steps > 0
-        ? since.count() / steps * (control_.endTime() - control_.time)
-            / control_.deltaT
-        : 0;
+    const scalar rate =
+        since.count() > 0 ? steps * scalar(d.grains.size()) / since.count() : 0;
+    const scalar secondsLeft =
+        steps > 0 ? since.count() / steps * (control_.endTime() - control_.time)
+                        / control_.deltaT
+                  : 0;
     lastLog_ = now;
     lastIndex_ = control_.index;
 
     Info << "Time = " << control_.timeName(control_.time) << nl << nl
-         << "deltaT = " << control_.deltaT << " ruled by " << limit_.rule
-         << nl
+         << "deltaT = " << control_.deltaT << " ruled by " << limit_.rule << nl
          << "done " << 100 * control_.time / control_.endTime() << " %, "
-         << rate << " particle-steps/s, at most " << secondsLeft
-         << " s left" << nl
-         << "max speed " << d.maxSpeed() << " m/s, moving mass "
+         << rate << " particle-steps/s, at most " << secondsLeft << " s left"
+         << nl << "max speed " << d.maxSpeed() << " m/s, moving mass "
          << 100 * d.movingMassShare(stop_.speed) << " %, kinetic energy "
-         << now_.kinetic << " J" << nl
-         << "ExecutionTime = " << total.count() << " s  ClockTime = "
-         << total.count() << " s" << nl << endl;
+         << now_.kinetic << " J" << nl << "ExecutionTime = " << total.count()
+         << " s  ClockTime = " << total.count() << " s" << nl << endl;
 }
 
 void grainRun::bookBalance()
@@ -444,21 +441,46 @@ void grainRun::bookBalance()
     const vector error = b.unexplainedMomentum(now_);
 
     balanceFile_->row(
-        {bookedAt_, d.mass().value(), b.leftMass.value(), now_.kinetic,
-         now_.potential, now_.elastic, b.plastic, b.separation, b.friction,
-         b.viscous, b.projection, b.wallTension, b.left,
-         b.unexplained(now_), now_.momentum.x(), now_.momentum.y(),
-         now_.momentum.z(), mag(error), d.maxSpeed(),
-         d.movingMassShare(stop_.speed), wall.x(), wall.y(), wall.z(),
-         b.wallNormalImpulse, b.projectionNormalImpulse}
+        {bookedAt_,
+         d.mass().value(),
+         b.leftMass.value(),
+         now_.kinetic,
+         now_.potential,
+         now_.elastic,
+         b.plastic,
+         b.separation,
+         b.friction,
+         b.viscous,
+         b.projection,
+         b.wallTension,
+         b.left,
+         b.unexplained(now_),
+         now_.momentum.x(),
+         now_.momentum.y(),
+         now_.momentum.z(),
+         mag(error),
+         d.maxSpeed(),
+         d.movingMassShare(stop_.speed),
+         wall.x(),
+         wall.y(),
+         wall.z(),
+         b.wallNormalImpulse,
+         b.projectionNormalImpulse}
     );
     const point& origin = ground_->origin();
     for (const leaver& l : d.ledger.leavers)
     {
         const point at = l.at + origin;
         leaversFile_->row(
-            {l.time, scalar(l.id), at.x(), at.y(), at.z(), l.U.x(), l.U.y(),
-             l.U.z(), l.mass}
+            {l.time,
+             scalar(l.id),
+             at.x(),
+             at.y(),
+             at.z(),
+             l.U.x(),
+             l.U.y(),
+             l.U.z(),
+             l.mass}
         );
     }
     d.ledger.leavers.clear();
@@ -475,12 +497,17 @@ void grainRun::write()
     timeFolder folder(caseDir_, name);
 
     writeCloud(
-        folder.path(), "grains", d.grains.toCloud(grainDensity_, scene_.h),
+        folder.path(),
+        "grains",
+        d.grains.toCloud(grainDensity_, scene_.h),
         control_.format()
     );
     writeUniformTime(
         folder.path(),
-        {control_.time, name, control_.index, control_.deltaT,
+        {control_.time,
+         name,
+         control_.index,
+         control_.deltaT,
          control_.unrestricted}
     );
 
@@ -510,14 +537,12 @@ int grainRun::finish()
     const balance& b = booked_;
     const scalar released = b.released(now_);
     const auto share = [&](scalar energy)
-    {
-        return released != 0 ? 100 * energy / mag(released) : 0;
-    };
+    { return released != 0 ? 100 * energy / mag(released) : 0; };
 
     if (atRest_)
     {
-        Info << "At rest by " << stop_.criterion << " at time "
-             << control_.time << " s" << nl;
+        Info << "At rest by " << stop_.criterion << " at time " << control_.time
+             << " s" << nl;
     }
     else if (control_.asked())
     {
@@ -526,34 +551,32 @@ int grainRun::finish()
     Info << nl << "Ledger at " << bookedAt_ << " s" << nl
          << "    mass        initial " << b.initialMass.value()
          << " kg, present " << d.mass().value() << " kg, left "
-         << d.ledger.leftMass.value() << " kg: "
-         << (massCloses_ ? "closes exactly" : "DOES NOT CLOSE") << nl
+         << d.ledger.leftMass.value()
+         << " kg: " << (massCloses_ ? "closes exactly" : "DOES NOT CLOSE") << nl
          << "    energy      released " << released << " J, of it" << nl
          << "        kinetic now     " << now_.kinetic << " J" << nl
          << "        plastic         " << b.plastic << " J ("
-         << share(b.plastic) << " %)" << nl
-         << "        basal friction  " << b.friction << " J ("
-         << share(b.friction) << " %)" << nl
+         << share(b.plastic) << " %)" << nl << "        basal friction  "
+         << b.friction << " J (" << share(b.friction) << " %)" << nl
          << "        separation      " << b.separation << " J ("
-         << share(b.separation) << " %)" << nl
-         << "        viscous         " << b.viscous << " J ("
-         << share(b.viscous) << " %)" << nl
+         << share(b.separation) << " %)" << nl << "        viscous         "
+         << b.viscous << " J (" << share(b.viscous) << " %)" << nl
          << "        contact         " << b.projection << " J ("
-         << share(b.projection) << " %)" << nl
-         << "        wall tension    " << b.wallTension << " J" << nl
-         << "        with leavers    " << b.left << " J" << nl
-         << "        unexplained     " << b.unexplained(now_) << " J ("
-         << share(b.unexplained(now_)) << " %)" << nl
-         << "    momentum    unexplained "
-         << mag(b.unexplainedMomentum(now_)) << " N s of "
-         << mag(b.gravityImpulse) << " N s of gravity" << nl
-         << "    contact     " << (b.wallNormalImpulse > 0
-                ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse : 0)
-         << " % of the wall impulse" << nl
-         << "Memory " << scalar(d.bytes()) / 1048576 << " MiB, "
-         << scalar(d.bytes()) / max(d.grains.size(), 1)
-         << " bytes a grain; " << grainDynamics::pairPasses
-         << " pair passes and 1 ground pass a step" << nl;
+         << share(b.projection) << " %)" << nl << "        wall tension    "
+         << b.wallTension << " J" << nl << "        with leavers    " << b.left
+         << " J" << nl << "        unexplained     " << b.unexplained(now_)
+         << " J (" << share(b.unexplained(now_)) << " %)" << nl
+         << "    momentum    unexplained " << mag(b.unexplainedMomentum(now_))
+         << " N s of " << mag(b.gravityImpulse) << " N s of gravity" << nl
+         << "    contact     "
+         << (b.wallNormalImpulse > 0
+                 ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse
+                 : 0)
+         << " % of the wall impulse" << nl << "Memory "
+         << scalar(d.bytes()) / 1048576 << " MiB, "
+         << scalar(d.bytes()) / max(d.grains.size(), 1) << " bytes a grain; "
+         << grainDynamics::pairPasses << " pair passes and 1 ground pass a step"
+         << nl;
 
     if (!massCloses_)
     {

@@ -81,7 +81,7 @@ void grainStore::resize(int n)
 std::size_t grainStore::bytes() const
 {
     std::size_t total = V.bytes() + spare_.bytes() + spareIndex_.bytes()
-        + id.bytes() + zone.bytes();
+                      + id.bytes() + zone.bytes();
     forState(*this, [&](const realArray& f) { total += f.bytes(); });
     for (const auto& f : a)
     {
@@ -100,9 +100,7 @@ std::size_t grainStore::bytes() const
 
 void grainStore::permute(const indexArray& order)
 {
-    forState(
-        *this, [&](realArray& f) { gather(f, spare_, order, size_); }
-    );
+    forState(*this, [&](realArray& f) { gather(f, spare_, order, size_); });
     gather(id, spareIndex_, order, size_);
     gather(zone, spareIndex_, order, size_);
 }
@@ -128,8 +126,8 @@ void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
             sigma[c][i] = cloud.symmTensors["sigma"][i][c];
         }
         mass[i] = cloud.scalars["mass"][i];
-        rhoRef[i] = continued ? cloud.scalars["rhoRef"][i]
-                              : alpha[i] * grainDensity;
+        rhoRef[i] =
+            continued ? cloud.scalars["rhoRef"][i] : alpha[i] * grainDensity;
         rho[i] = continued ? cloud.scalars["rho"][i] : rhoRef[i];
         I[i] = continued ? cloud.scalars["I"][i] : 0;
         id[i] = cloud.labels["id"][i];

@@ -51,11 +51,8 @@ groundContact::groundContact(
     scalar planeThickness,
     const vector& planeNormal
 )
-:
-    ground_(theGround),
-    elementSpacing_(elementSpacing),
-    planeThickness_(planeThickness),
-    planeNormal_(planeNormal)
+    : ground_(theGround), elementSpacing_(elementSpacing),
+      planeThickness_(planeThickness), planeNormal_(planeNormal)
 {
     allowOnly(
         boundaryProperties, {"contact", "zones", "planeStrain", "cyclic"}
@@ -116,8 +113,8 @@ void groundContact::update(scalar time, const cellLattice& lattice)
     const boundBox box = ground_.bounds();
     // in plane strain an element stands for a length: area over the width of
     // the ground along the normal of the plane
-    const scalar width
-        = planeThickness_ > 0 ? (box.span() & cmptMag(planeNormal_)) : 1;
+    const scalar width =
+        planeThickness_ > 0 ? (box.span() & cmptMag(planeNormal_)) : 1;
 
     size_ = 0;
     realArrays<3> x, n;
@@ -126,7 +123,7 @@ void groundContact::update(scalar time, const cellLattice& lattice)
     {
         f->resize(all.x.size());
     }
-    forAll(all.x, q)
+    forAll (all.x, q)
     {
         const scalar A = mag(all.nA[q]);
         point at = all.x[q];
@@ -191,8 +188,7 @@ void groundContact::present(lpfPairs::wallPass& pass) const
     pass.mu = mu_.data();
 }
 
-groundHit
-groundContact::signedDistance(const point& x, scalar radius) const
+groundHit groundContact::signedDistance(const point& x, scalar radius) const
 {
     groundHit hit = ground_.signedDistance(x, radius);
     hit.found = hit.found && !hit.border;

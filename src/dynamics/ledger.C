@@ -17,7 +17,10 @@ void setExact(dictionary& d, const word& name, scalar v)
 void setExact(dictionary& d, const word& name, const vector& v)
 {
     List<token> tokens(
-        {token(token::BEGIN_LIST), token(v.x()), token(v.y()), token(v.z()),
+        {token(token::BEGIN_LIST),
+         token(v.x()),
+         token(v.y()),
+         token(v.z()),
          token(token::END_LIST)}
     );
     d.set(new primitiveEntry(name, std::move(tokens)));

@@ -19,8 +19,8 @@ double minors(const Moment& M, double& first, double& second)
     first = M.xx;
     second = M.xx * M.yy - M.xy * M.xy;
     return M.xx * (M.yy * M.zz - M.yz * M.yz)
-        - M.xy * (M.xy * M.zz - M.yz * M.xz)
-        + M.xz * (M.xy * M.yz - M.yy * M.xz);
+         - M.xy * (M.xy * M.zz - M.yz * M.xz)
+         + M.xz * (M.xy * M.yz - M.yy * M.xz);
 }
 
 //- All eigenvalues above s?

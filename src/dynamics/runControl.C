@@ -39,9 +39,7 @@ bool runControl::asked() const
     return asked_ || stopAt_ == "writeNow";
 }
 
-runControl::runControl(const fileName& caseDir)
-:
-    caseDir_(caseDir)
+runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
 {
     const fileName file(caseDir / "system" / "controlDict");
     const dictionary dict(readDictionary(file));
@@ -54,12 +52,16 @@ runControl::runControl(const fileName& caseDir)
     format_.format(IOstream::formatEnum(
         readChoice(dict, "writeFormat", {"ascii", "binary"}, "binary")
     ));
-    format_.compression(dict.getOrDefault<Switch>("writeCompression", false)
-        ? IOstreamOption::COMPRESSED : IOstreamOption::UNCOMPRESSED);
+    format_.compression(
+        dict.getOrDefault<Switch>("writeCompression", false)
+            ? IOstreamOption::COMPRESSED
+            : IOstreamOption::UNCOMPRESSED
+    );
     if (format_.format() == IOstream::ASCII)
     {
         WarningInFunction
-            << "writeFormat ascii keeps " << dict.getOrDefault<label>("writePrecision", 6)
+            << "writeFormat ascii keeps "
+            << dict.getOrDefault<label>("writePrecision", 6)
             << " digits: a restart will not go on with the same bits. "
             << "Write binary for that" << endl;
     }
@@ -68,15 +70,15 @@ runControl::runControl(const fileName& caseDir)
     precision.lower = 1;
     precision.upper = 17;
     precision.reason = "a double has at most 17 digits";
-    timePrecision_ = label(
-        readNumber(dict, "timePrecision", dimless, precision, 6)
-    );
+    timePrecision_ =
+        label(readNumber(dict, "timePrecision", dimless, precision, 6));
     purgeWrite_ = dict.getOrDefault<label>("purgeWrite", 0);
     modifiable_ = dict.getOrDefault<Switch>("runTimeModifiable", true);
     if (!dict.getOrDefault<Switch>("adjustTimeStep", true))
     {
         refuse(
-            dict, "adjustTimeStep",
+            dict,
+            "adjustTimeStep",
             "The time step follows the stability limits, a fixed one would "
             "blow up or waste time; write yes, and maxDeltaT for an upper "
             "bound"
@@ -99,7 +101,9 @@ void runControl::readTimes(const dictionary& dict)
     positive.reason = "a run needs an end and an interval above zero, in s";
 
     stopAt_ = readChoice(
-        dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"},
+        dict,
+        "stopAt",
+        {"endTime", "writeNow", "noWriteNow", "nextWrite"},
         "endTime"
     );
     endTime_ = readNumber(dict, "endTime", dimTime, positive);
@@ -107,23 +111,26 @@ void runControl::readTimes(const dictionary& dict)
         dict, "writeControl", {"adjustableRunTime", "runTime", "timeStep"}
     );
     writeInterval_ = readNumber(
-        dict, "writeInterval",
-        writeControl_ == "timeStep" ? dimless : dimTime, positive
+        dict,
+        "writeInterval",
+        writeControl_ == "timeStep" ? dimless : dimTime,
+        positive
     );
 }
 
 void runControl::chooseStart(const dictionary& dict)
 {
     const word from = readChoice(
-        dict, "startFrom", {"startTime", "firstTime", "latestTime"},
+        dict,
+        "startFrom",
+        {"startTime", "firstTime", "latestTime"},
         "latestTime"
     );
     const instantList times(Time::findTimes(caseDir_));
     instantList present;
     for (const instant& t : times)
     {
-        if (t.name() != "constant"
-            && isDir(caseDir_ / t.name() / "lagrangian"))
+        if (t.name() != "constant" && isDir(caseDir_ / t.name() / "lagrangian"))
         {
             present.append(t);
         }
@@ -152,7 +159,8 @@ void runControl::chooseStart(const dictionary& dict)
             > 1e-6 * max(mag(startTime_), scalar(1)))
         {
             refuse(
-                dict, "startTime",
+                dict,
+                "startTime",
                 "There are no particles at this time; nearest: "
                     + present[nearest].name()
             );
@@ -207,9 +215,9 @@ scalar runControl::step(scalar stable)
     scalar next = endTime_;
     if (writeControl_ == "adjustableRunTime")
     {
-        next = min(
-            next, writeInterval_ * (floor(time / writeInterval_ + 1e-9) + 1)
-        );
+        next =
+            min(next,
+                writeInterval_ * (floor(time / writeInterval_ + 1e-9) + 1));
     }
     const scalar steps = ceil((next - time) / dt - 1e-9);
     deltaT = steps <= 3 ? (next - time) / steps : dt;
@@ -244,7 +252,7 @@ void runControl::advance()
             time = nearest;
         }
         atWriteTime_ = floor(time / writeInterval_ + 1e-9)
-            > floor(before / writeInterval_ + 1e-9);
+                     > floor(before / writeInterval_ + 1e-9);
     }
     if (mag(time - endTime_) < 1e-6 * deltaT)
     {

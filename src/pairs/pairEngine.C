@@ -63,7 +63,8 @@ inline void overPairs(
     for (int k = 0; k < around.count; ++k)
     {
         const run& r = around.list[k];
-        const Vec<pack> from = x_i
+        const Vec<pack> from =
+            x_i
             - Vec<pack>{pack(r.shift[0]), pack(r.shift[1]), pack(r.shift[2])};
 
         for (int j = r.begin; j < r.end; j += nLanes)
@@ -93,11 +94,18 @@ LPF_ONE_BODY void kinematicsOfParticle(
     Kinematics<pack> total = {};
 
     overPairs(
-        around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z, W.supportSqr(),
+        around,
+        broadcast(p.x, p.y, p.z, i),
+        p.x,
+        p.y,
+        p.z,
+        W.supportSqr(),
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             addKinematics(
-                total, pack(load(p.V + j) * W.gradByDistance(rSqr)), x_ij,
+                total,
+                pack(load(p.V + j) * W.gradByDistance(rSqr)),
+                x_ij,
                 v_i - loadVec(p.u, p.v, p.w, j)
             );
         }
@@ -146,12 +154,18 @@ enum class viscosity
 //- Adds the viscous terms of one pack; power is what they take [W/kg]
 template<viscosity kind>
 void addViscosity(
-    const forcePass& p, const wendlandC2& W, int i, int j,
-    const Vec<pack>& x_ij, const pack& rSqr, Vec<pack>& a, pack& power
+    const forcePass& p,
+    const wendlandC2& W,
+    int i,
+    int j,
+    const Vec<pack>& x_ij,
+    const pack& rSqr,
+    Vec<pack>& a,
+    pack& power
 )
 {
-    const Vec<pack> v_ij
-        = broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
+    const Vec<pack> v_ij =
+        broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
     const pack rhoMean = pack(0.5) * (pack(p.rho[i]) + load(p.rho + j));
     const pack hC(p.h * p.soundSpeed), hSqr(p.h * p.h);
 
@@ -166,12 +180,10 @@ void addViscosity(
             broadcast(p.L[3], p.L[4], p.L[5], i),
             broadcast(p.L[6], p.L[7], p.L[8], i)};
         const Vec<pack> w_ij = v_ij - pack(0.5) * ((L_i + L_j) & x_ij);
-        Pi += noiseDamping(
-            x_ij, w_ij, rSqr, pack(p.beta) * hC, hSqr, rhoMean
-        );
+        Pi += noiseDamping(x_ij, w_ij, rSqr, pack(p.beta) * hC, hSqr, rhoMean);
     }
-    const pack mPiF
-        = load(p.m + j) * Pi * W.gradByDistance(rSqr) / pack(p.thickness);
+    const pack mPiF =
+        load(p.m + j) * Pi * W.gradByDistance(rSqr) / pack(p.thickness);
 
     a += Vec<pack>{-mPiF * x_ij.x, -mPiF * x_ij.y, -mPiF * x_ij.z};
     power += pack(0.5) * mPiF * (v_ij & x_ij);
@@ -187,11 +199,18 @@ LPF_ONE_BODY void forceOnParticle(
     pack power(0.0);
 
     overPairs(
-        around, broadcast(p.x, p.y, p.z, i), p.x, p.y, p.z, W.supportSqr(),
+        around,
+        broadcast(p.x, p.y, p.z, i),
+        p.x,
+        p.y,
+        p.z,
+        W.supportSqr(),
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             addForce(
-                total, pack(load(p.V + j) * W.gradByDistance(rSqr)), x_ij,
+                total,
+                pack(load(p.V + j) * W.gradByDistance(rSqr)),
+                x_ij,
                 loadTensor(p.A, j)
             );
             if constexpr (kind != viscosity::none)
@@ -207,8 +226,8 @@ LPF_ONE_BODY void forceOnParticle(
     double* out[3] = {p.ax + i, p.ay + i, p.az + i};
     for (int c = 0; c < 3; ++c)
     {
-        const Vec<double> row
-            = {p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
+        const Vec<double> row = {
+            p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
         *out[c] = s * ((row & g) + sum(total.other, c));
         if constexpr (kind != viscosity::none)
         {
@@ -261,9 +280,8 @@ struct nearestLanes
     pack rSqr = pack(farAway), distance = pack(farAway);
     Vec<pack> normal = {};
 
-    void see(
-        const pack& r2, const pack& d, const Vec<pack>& n, double outOfSight
-    )
+    void
+    see(const pack& r2, const pack& d, const Vec<pack>& n, double outOfSight)
     {
         const packMask nearer = r2 < rSqr && d > pack(-outOfSight);
         stdx::where(nearer, rSqr) = r2;
@@ -295,8 +313,8 @@ struct nearestLanes
 void store(const WallSums<pack>& from, wallRecord& to)
 {
     const SymmTensor3<pack> N = from.N3;
-    const pack N3[10] = {N.xxx, N.xxy, N.xxz, N.xyy, N.xyz,
-                         N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
+    const pack N3[10] = {
+        N.xxx, N.xxy, N.xxz, N.xyy, N.xyz, N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
     for (int c = 0; c < 10; ++c)
     {
         to.N3[c] = lpfPairs::sum(N3[c]);
@@ -319,7 +337,12 @@ LPF_ONE_BODY void wallOfParticle(
     nearestLanes nearest;
 
     overPairs(
-        around, broadcast(p.x, p.y, p.z, i), p.ex, p.ey, p.ez, W.supportSqr(),
+        around,
+        broadcast(p.x, p.y, p.z, i),
+        p.ex,
+        p.ey,
+        p.ez,
+        W.supportSqr(),
         [&](int q, const Vec<pack>& x_iq, const pack& rSqr)
         {
             const Vec<pack> n = loadVec(p.nx, p.ny, p.nz, q);
@@ -376,8 +399,8 @@ int wallSlots(const cellGrid& cells, const cellGrid& elements, int* slot)
         }
     );
 
-    const int n
-        = cells.start[static_cast<long>(cells.n[0]) * cells.n[1] * cells.n[2]];
+    const int n =
+        cells.start[static_cast<long>(cells.n[0]) * cells.n[1] * cells.n[2]];
     int count = 0;
     for (int i = 0; i < n; ++i)
     {
@@ -407,8 +430,8 @@ double peak()
             a[k] = a[k] * b + c;
         }
     }
-    const std::chrono::duration<double> t
-        = std::chrono::steady_clock::now() - begin;
+    const std::chrono::duration<double> t =
+        std::chrono::steady_clock::now() - begin;
     double used = 0;
     for (int k = 0; k < chains; ++k)
     {

@@ -56,8 +56,8 @@ elasticity::elasticity(const dictionary& coeffs, const stiffnessScale& scale)
     ELimits.reason = "a stiffness is positive; write auto or a value in Pa";
 
     const ITstream& is = coeffs.lookup("E");
-    const bool automatic
-        = is.size() == 1 && is[0].isWord() && is[0].wordToken() == "auto";
+    const bool automatic =
+        is.size() == 1 && is[0].isWord() && is[0].wordToken() == "auto";
     E_ = automatic ? automaticModulus(coeffs, scale, nu_)
                    : readNumber(coeffs, "E", dimPressure, ELimits);
 

@@ -76,8 +76,7 @@ public:
     TypeName("muI");
 
     muI(const dictionary& phase, const elasticity& elastic)
-    :
-        pointwiseRheology<muI>(elastic)
+        : pointwiseRheology<muI>(elastic)
     {
         read(phase);
     }
@@ -95,8 +94,16 @@ void muI::read(const dictionary& phase)
     const dictionary& coeffs = phase.subDict("muICoeffs");
     allowOnly(
         coeffs,
-        {"muS", "mu2", "I0", "cohesion", "frictionMapping", "nu", "E",
-         "stiffness", "initialStress", "K0"}
+        {"muS",
+         "mu2",
+         "I0",
+         "cohesion",
+         "frictionMapping",
+         "nu",
+         "E",
+         "stiffness",
+         "initialStress",
+         "K0"}
     );
 
     bounds friction;
@@ -142,7 +149,7 @@ scalar muI::yieldedStress(scalar S_tr, scalar p, scalar dt) const
     const scalar S0 = muS_ * p + cohesion_;
     const scalar S2 = mu2_ * p + cohesion_;
     const scalar a = I0_ * elastic_.G() * dt * sqrt(max(p, scalar(0)))
-        / (diameter_ * sqrt(rhoGrain_));
+                   / (diameter_ * sqrt(rhoGrain_));
     const scalar B = S2 + S_tr + a;
     const scalar H = S2 * S_tr + S0 * a;
 
@@ -167,7 +174,7 @@ SymmTensor<double> deviator(const SymmTensor<double>& a)
 double magnitudeSqr(const SymmTensor<double>& a)
 {
     return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz
-        + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
+         + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
 }
 
 //- Q s Q^T, Q = (I - Omega/2)^-1 (I + Omega/2), Omega = skew(L) dt
@@ -180,11 +187,14 @@ rotated(const SymmTensor<double>& s, const Tensor<double>& L, double dt)
         f * (L.z.y - L.y.z), f * (L.x.z - L.z.x), f * (L.y.x - L.x.y)};
     const double k = 2 / (1 + magSqr(w));
     const Tensor<double> Q = {
-        {1 - k * (w.y * w.y + w.z * w.z), k * (w.x * w.y - w.z),
+        {1 - k * (w.y * w.y + w.z * w.z),
+         k * (w.x * w.y - w.z),
          k * (w.x * w.z + w.y)},
-        {k * (w.x * w.y + w.z), 1 - k * (w.x * w.x + w.z * w.z),
+        {k * (w.x * w.y + w.z),
+         1 - k * (w.x * w.x + w.z * w.z),
          k * (w.y * w.z - w.x)},
-        {k * (w.x * w.z - w.y), k * (w.y * w.z + w.x),
+        {k * (w.x * w.z - w.y),
+         k * (w.y * w.z + w.x),
          1 - k * (w.x * w.x + w.y * w.y)}};
 
     return symm(Q & full(s) & transpose(Q));
@@ -194,7 +204,7 @@ rotated(const SymmTensor<double>& s, const Tensor<double>& L, double dt)
 double inner(const SymmTensor<double>& a, const SymmTensor<double>& b)
 {
     return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz
-        + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+         + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 
 } // namespace
@@ -218,8 +228,8 @@ rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
     lost.maxStrainRate = sqrt(magnitudeSqr(devD)) + mag(trD);
 
     const scalar rhoOld = g.rho;
-    const scalar rhoFree = rhoOld * (1 - 0.5 * dt * trD)
-        / (1 + 0.5 * dt * trD); // (T 3.3)
+    const scalar rhoFree =
+        rhoOld * (1 - 0.5 * dt * trD) / (1 + 0.5 * dt * trD); // (T 3.3)
     g.rho = max(loosest * g.rhoRef, rhoFree);
     const scalar V = g.mass / g.rho;
     const scalar p = pressure(g.rho, g.rhoRef);
@@ -230,21 +240,21 @@ rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
     }
 
     const SymmTensor<double> sOld = rotated(deviator(g.sigma), g.L, dt);
-    const SymmTensor<double> s_tr
-        = sOld + scaled(2 * elastic_.G() * dt, devD); // (T 3.6)
+    const SymmTensor<double> s_tr =
+        sOld + scaled(2 * elastic_.G() * dt, devD); // (T 3.6)
     const scalar S_tr = sqrt(0.5 * magnitudeSqr(s_tr));
 
     SymmTensor<double> s = s_tr;
     if (S_tr > muS_ * p + cohesion_)
     {
         s = scaled(yieldedStress(S_tr, p, dt) / S_tr, s_tr); // (T 3.7)
-        (p > 0 ? lost.plastic : lost.separation)
-            += V * dissipation(sOld, s_tr, s);
+        (p > 0 ? lost.plastic : lost.separation) +=
+            V * dissipation(sOld, s_tr, s);
     }
     g.sigma = s + SymmTensor<double>{-p, 0, 0, -p, 0, -p};
-    g.inertialNumber = p > 0
-        ? sqrt(2 * magnitudeSqr(devD)) * diameter_ * sqrt(rhoGrain_ / p)
-        : 0;
+    g.inertialNumber =
+        p > 0 ? sqrt(2 * magnitudeSqr(devD)) * diameter_ * sqrt(rhoGrain_ / p)
+              : 0;
     return lost;
 }
 
@@ -257,10 +267,9 @@ scalar muI::storedEnergyOf(const grainPoint& g) const
     const scalar rhoElastic = g.rhoRef * (1 + x);
 
     const scalar bulk = g.mass * K / g.rhoRef * (log1p(x) - x / (1 + x));
-    const scalar opening
-        = -lowest * (g.mass / g.rho - g.mass / rhoElastic);
-    const scalar shear = g.mass / g.rho
-        * magnitudeSqr(deviator(g.sigma)) / (4 * elastic_.G());
+    const scalar opening = -lowest * (g.mass / g.rho - g.mass / rhoElastic);
+    const scalar shear =
+        g.mass / g.rho * magnitudeSqr(deviator(g.sigma)) / (4 * elastic_.G());
     return bulk + (g.rho < rhoElastic ? opening : 0) + shear;
 }
 
