@@ -122,6 +122,11 @@ class Case:
         return result
 
 
+def jobs():
+    """Runs of one thread that this test may have at a time"""
+    return max(1, (os.cpu_count() or 1) // int(os.environ.get("LPF_TEST_JOBS", 1)))
+
+
 def ok(condition, text):
     print(("ok - " if condition else "not ok - ") + text, flush=True)
     return condition

@@ -18,8 +18,7 @@ import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-sys.path.insert(0, os.path.join(os.environ["LPF_PROJECT_DIR"], "tests/lib"))
-from lpfCase import Case, ok  # noqa: E402
+from lpfCase import Case, jobs, ok
 
 G, DX, MU = 9.81, 0.01, 0.3
 ANGLES = (10, 14, 20, 24, 28, 32, 36, 40, 45, 50)
@@ -190,7 +189,7 @@ def arc():
 
 chosen = sys.argv[1:] or list(KINDS) + ["arc"]
 failed = False
-with ThreadPoolExecutor(2) as pool:
+with ThreadPoolExecutor(jobs()) as pool:
     for kind in (k for k in KINDS if k in chosen):
         runs = [(kind, a, ru) for ru in (0, 0.5) for a in ANGLES]
         results = list(pool.map(lambda r: slide(*r), runs))

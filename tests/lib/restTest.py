@@ -5,15 +5,14 @@
 The resultant force of the ground is the weight, 1 %; sigma_zz of the level
 floor at 20 layers within 5 % (L2 over its maximum); nothing creeps, nothing is
 below the ground, and contact by projection carries less than 1 %.
-Usage: test [shape ...]; two shapes run at a time.
+Usage: test [shape ...]
 """
 import math
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-sys.path.insert(0, os.path.join(os.environ["LPF_PROJECT_DIR"], "tests/lib"))
-from lpfCase import Case, ok  # noqa: E402
+from lpfCase import Case, jobs, ok
 
 G = 9.81
 DX = 0.01
@@ -260,7 +259,7 @@ def run(name):
 
 chosen = sys.argv[1:] or list(SHAPES)
 failed = False
-with ThreadPoolExecutor(2) as pool:
+with ThreadPoolExecutor(jobs()) as pool:
     for lines in pool.map(run, chosen):
         for good, text in lines:
             failed = not ok(good, text) or failed
