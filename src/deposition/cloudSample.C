@@ -51,9 +51,9 @@ scalarField bulkVolume(
     const scalarField& mass = needed(state, cloud, "mass");
     if (state.scalars.found("rho"))
     {
-        return mass / state.scalars["rho"];
+        return scalarField(mass / state.scalars["rho"]);
     }
-    return mass / (phaseDensity * needed(state, cloud, "alpha"));
+    return scalarField(mass / (phaseDensity * needed(state, cloud, "alpha")));
 }
 
 } // namespace

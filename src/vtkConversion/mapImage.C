@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Foam
 {
@@ -215,8 +216,8 @@ void paintCells(
 }
 
 
-//- Contours of the ground through VTK; pairs of points, world coordinates
-List<pointField> groundContours(const mapContent& map, const scalar interval)
+//- Lowest and highest ground; highest < lowest when there is none
+std::pair<scalar, scalar> groundRange(const mapContent& map)
 {
     scalar low = VGREAT, high = -VGREAT;
     for (const scalar z : map.ground)
@@ -227,6 +228,26 @@ List<pointField> groundContours(const mapContent& map, const scalar interval)
             high = max(high, z);
         }
     }
+    return {low, high};
+}
+
+
+//- All four cells around a position between cell centres have ground
+bool isOnGround(const mapContent& map, const scalar p, const scalar q)
+{
+    const label i = label(p), i1 = min(i + 1, map.nx - 1);
+    const label j = label(q), j1 = min(j + 1, map.ny - 1);
+    return map.ground[i + map.nx * j] > map.noGround
+        && map.ground[i1 + map.nx * j] > map.noGround
+        && map.ground[i + map.nx * j1] > map.noGround
+        && map.ground[i1 + map.nx * j1] > map.noGround;
+}
+
+
+//- Contours of the ground through VTK; pairs of points, world coordinates
+List<pointField> groundContours(const mapContent& map, const scalar interval)
+{
+    const auto [low, high] = groundRange(map);
     if (map.nx < 2 || map.ny < 2 || high < low)
     {
         return {};
@@ -249,15 +270,6 @@ List<pointField> groundContours(const mapContent& map, const scalar interval)
     }
     edges->Update();
 
-    const auto isGround = [&](const scalar p, const scalar q)
-    {
-        const label i = label(p), j = label(q);
-        const label i1 = min(i + 1, map.nx - 1), j1 = min(j + 1, map.ny - 1);
-        return map.ground[i + map.nx * j] > map.noGround
-            && map.ground[i1 + map.nx * j] > map.noGround
-            && map.ground[i + map.nx * j1] > map.noGround
-            && map.ground[i1 + map.nx * j1] > map.noGround;
-    };
     vtkPolyData* result = edges->GetOutput();
     vtkNew<vtkIdList> ids;
     DynamicList<pointField> segments;
@@ -265,18 +277,18 @@ List<pointField> groundContours(const mapContent& map, const scalar interval)
     for (cells->InitTraversal(); cells->GetNextCell(ids);)
     {
         pointField segment(2);
-        bool known = true;
+        bool isKnownGround = true;
         for (label k = 0; k < 2; ++k)
         {
             const double* p = result->GetPoint(ids->GetId(k));
-            known = known && isGround(p[0], p[1]);
+            isKnownGround = isKnownGround && isOnGround(map, p[0], p[1]);
             segment[k] = point(
                 map.x0 + (p[0] + 0.5) * map.dx,
                 map.y0 + (p[1] + 0.5) * map.dy,
                 0
             );
         }
-        if (known)
+        if (isKnownGround)
         {
             segments.append(segment);
         }
@@ -305,15 +317,7 @@ pixels(const mapContent& map, const layout& place, const pointField& line)
 //- Round interval between contours of the ground, about 25 of them; 0: level
 scalar contourInterval(const mapContent& map)
 {
-    scalar low = VGREAT, high = -VGREAT;
-    for (const scalar z : map.ground)
-    {
-        if (z > map.noGround)
-        {
-            low = min(low, z);
-            high = max(high, z);
-        }
-    }
+    const auto [low, high] = groundRange(map);
     const scalar smallest = 1e-3 * scalar(map.nx) * map.dx;
     return high - low > smallest ? roundStep(high - low, 25) : 0;
 }

@@ -206,13 +206,14 @@ void painter::fillPolygon(const pointField& polygon, const colour& ink)
              ++x)
         {
             label hits = 0;
-            for (label s = 0; s < n * n; ++s)
+            for (label k = 0; k < n; ++k)
             {
-                hits += label(isInside(
-                    polygon,
-                    scalar(x) + (scalar(s % n) + 0.5) / n,
-                    scalar(y) + (scalar(s / n) + 0.5) / n
-                ));
+                const scalar sy = scalar(y) + (scalar(k) + 0.5) / n;
+                for (label l = 0; l < n; ++l)
+                {
+                    const scalar sx = scalar(x) + (scalar(l) + 0.5) / n;
+                    hits += label(isInside(polygon, sx, sy));
+                }
             }
             blend(x, y, ink, scalar(hits) / (n * n));
         }
@@ -317,7 +318,7 @@ void painter::write(const fileName& file) const
         rgb_.end(),
         bytes,
         [](const float v)
-        { return static_cast<unsigned char>(255.0F * v + 0.5F); }
+        { return static_cast<unsigned char>(std::lround(255.0F * v)); }
     );
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);

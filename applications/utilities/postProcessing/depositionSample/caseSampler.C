@@ -164,7 +164,7 @@ pointField caseSampler::pathVertices(const pathControls& path) const
         }
     }
     const point origin(bed_->origin().x(), bed_->origin().y(), 0);
-    return vertices - origin;
+    return pointField(vertices - origin);
 }
 
 
