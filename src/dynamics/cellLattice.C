@@ -53,26 +53,13 @@ void cellLattice::boundingBox(
     }
 }
 
-void cellLattice::sort(
-    const realArrays<3>& x, int n, indexArray& order, sortedCells& cells
+void cellLattice::cellsOf(
+    const realArrays<3>& x,
+    int n,
+    const lpfPairs::cellGrid& grid,
+    indexArray& cell
 ) const
 {
-    lpfPairs::cellGrid& grid = cells.grid;
-    boundingBox(x, n, grid);
-
-    const double count = 1.0 * grid.n[0] * grid.n[1] * grid.n[2];
-    if (!(count < 2e9))
-    {
-        FatalErrorInFunction
-            << "The particles span " << grid.n[0] << " x " << grid.n[1] << " x "
-            << grid.n[2] << " cells of " << grid.edge[0]
-            << " m: some of them have left far behind the others. Give the "
-            << "ground a smaller extent or the particles a larger spacing"
-            << exit(FatalError);
-    }
-    const auto nCells = static_cast<std::size_t>(count);
-
-    indexArray cell;
     cell.resize(n);
     lpfPairs::forChunks(
         n,
@@ -94,55 +81,71 @@ void cellLattice::sort(
             }
         }
     );
+}
 
-    cells.start.assign(nCells + 1, 0);
+namespace
+{
+
+//- Offsets of the cells; is the order no longer that of the cells?
+void countCells(const indexArray& cell, int n, sortedCells& cells)
+{
     cells.moved = false;
     for (int i = 0; i < n; ++i)
     {
         ++cells.start[static_cast<std::size_t>(cell[i]) + 1];
         cells.moved = cells.moved || (i > 0 && cell[i] < cell[i - 1]);
     }
-    for (std::size_t c = 0; c < nCells; ++c)
+    for (std::size_t c = 0; c + 1 < cells.start.size(); ++c)
     {
         cells.start[c + 1] += cells.start[c];
     }
-    if (cells.moved)
-    {
-        // fill uses start as a cursor and shifts it back afterwards
-        for (int i = 0; i < n; ++i)
-        {
-            order[cells.start[static_cast<std::size_t>(cell[i])]++] = i;
-        }
-        for (std::size_t c = nCells; c > 0; --c)
-        {
-            cells.start[c] = cells.start[c - 1];
-        }
-        cells.start[0] = 0;
-    }
-    grid.start = cells.start.data();
 }
 
-void cellLattice::wrap(realArrays<3>& x, int n) const
+//- Stable order by cell; start serves as a cursor and is shifted back
+void fillOrder(
+    const indexArray& cell, int n, indexArray& order, sortedCells& cells
+)
 {
-    for (int d = 0; d < 3; ++d)
+    for (int i = 0; i < n; ++i)
     {
-        if (!(period_[d] > 0))
-        {
-            continue;
-        }
-        realArray& xd = x[static_cast<std::size_t>(d)];
-        for (int i = 0; i < n; ++i)
-        {
-            if (xd[i] < lower_[d])
-            {
-                xd[i] += period_[d];
-            }
-            else if (xd[i] >= lower_[d] + period_[d])
-            {
-                xd[i] -= period_[d];
-            }
-        }
+        order[cells.start[static_cast<std::size_t>(cell[i])]++] = i;
     }
+    for (std::size_t c = cells.start.size() - 1; c > 0; --c)
+    {
+        cells.start[c] = cells.start[c - 1];
+    }
+    cells.start[0] = 0;
+}
+
+} // namespace
+
+void cellLattice::sort(
+    const realArrays<3>& x, int n, indexArray& order, sortedCells& cells
+) const
+{
+    lpfPairs::cellGrid& grid = cells.grid;
+    boundingBox(x, n, grid);
+
+    const double count = 1.0 * grid.n[0] * grid.n[1] * grid.n[2];
+    if (!(count < 2e9))
+    {
+        FatalErrorInFunction
+            << "The particles span " << grid.n[0] << " x " << grid.n[1] << " x "
+            << grid.n[2] << " cells of " << grid.edge[0]
+            << " m: some of them have left far behind the others. Give the "
+            << "ground a smaller extent or the particles a larger spacing"
+            << exit(FatalError);
+    }
+
+    indexArray cell;
+    cellsOf(x, n, grid, cell);
+    cells.start.assign(static_cast<std::size_t>(count) + 1, 0);
+    countCells(cell, n, cells);
+    if (cells.moved)
+    {
+        fillOrder(cell, n, order, cells);
+    }
+    grid.start = cells.start.data();
 }
 
 } // namespace lpf

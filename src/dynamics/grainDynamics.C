@@ -228,56 +228,60 @@ void grainDynamics::gradient()
                     const vector& e = scene_.planeNormal;
                     M += dyad(1.0, Vec3{e.x(), e.y(), e.z()});
                 }
-                if (slot_[i] < 0)
+                if (slot_[i] >= 0)
                 {
-                    const Symm B = momentInverse(M);
-                    setSymm(grains.B, i, B);
-                    setTensor(grains.L, i, R & full(B));
-                    continue;
+                    gradientNearGround(i, R, M);
                 }
-
-                const auto slot = static_cast<std::size_t>(slot_[i]);
-                const lpfPairs::wallRecord& wall = walls_[slot];
-                nearWall& near = near_[slot];
-                const Vec3 v = vecAt(grains.U, i);
-                const auto N3 = thirdMoment(wall);
-                const double* D = wall.D2;
-                const Vec3 nA = contracted(N3);
-                const double magnitude = std::sqrt(magSqr(nA));
-                near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
-                near.planarity =
-                    wall.area > 0
-                        ? std::max(0.0, 10 * magnitude / wall.area - 9)
-                        : 0;
-                near.friction = wall.area > 0 ? wall.friction / wall.area : 0;
-                near.Bp = momentInverse(M);
-
-                // the ground neither holds a grain back nor stretches it:
-                // in tension it is not there for a grain that moves away
-                const Tens sigma = full(symmAt(grains.sigma, i));
-                const bool tension = ((N3 && sigma) & near.n) > 0;
-                near.closed = !(tension && (v & near.n) > 0);
-                if (!near.closed)
+                else
                 {
-                    setSymm(grains.B, i, near.Bp);
-                    setTensor(grains.L, i, R & full(near.Bp));
-                    continue;
+                    setGradient(i, momentInverse(M), R);
                 }
-
-                const Symm B =
-                    momentInverse(M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]});
-                const Symm Nv = N3 & v;
-                const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
-                const Tens P = tangential(near.planarity, near.n);
-                setSymm(grains.B, i, B);
-                setTensor(
-                    grains.L,
-                    i,
-                    mirrored + (P & ((R & full(near.Bp)) - mirrored)) // (T 4.4)
-                );
             }
         }
     );
+}
+
+void grainDynamics::setGradient(int i, const Symm& B, const Tens& R)
+{
+    setSymm(grains.B, i, B);
+    setTensor(grains.L, i, R & full(B));
+}
+
+void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
+{
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    const lpfPairs::wallRecord& wall = walls_[slot];
+    nearWall& near = near_[slot];
+    const Vec3 v = vecAt(grains.U, i);
+    const auto N3 = thirdMoment(wall);
+    const double* D = wall.D2;
+
+    const Vec3 nA = contracted(N3);
+    const double magnitude = std::sqrt(magSqr(nA));
+    near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
+    near.planarity =
+        wall.area > 0 ? std::max(0.0, 10 * magnitude / wall.area - 9) : 0;
+    near.friction = wall.area > 0 ? wall.friction / wall.area : 0;
+    near.Bp = momentInverse(M);
+
+    // the ground neither holds a grain back nor stretches it: in tension it
+    // is not there for a grain that moves away
+    const Tens sigma = full(symmAt(grains.sigma, i));
+    const bool tension = ((N3 && sigma) & near.n) > 0;
+    near.closed = !(tension && (v & near.n) > 0);
+    if (!near.closed)
+    {
+        setGradient(i, near.Bp, R);
+        return;
+    }
+
+    const Symm B = momentInverse(M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]});
+    const Symm Nv = N3 & v;
+    const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
+    const Tens P = tangential(near.planarity, near.n);
+    const Tens own = R & full(near.Bp);
+    setSymm(grains.B, i, B);
+    setTensor(grains.L, i, mirrored + (P & (own - mirrored))); // (T 4.4)
 }
 
 // Damping of waves of compression, which grains do not carry far: an addition
@@ -522,23 +526,6 @@ void grainDynamics::kick(scalar dt)
 namespace
 {
 
-//- What contact and cyclic planes add to the ledger in one drift
-struct driftSums
-{
-    vector impulse = Zero, friction = Zero;
-    scalar normal = 0, energy = 0, frictionEnergy = 0, wrapped = 0;
-
-    void operator+=(const driftSums& b)
-    {
-        impulse += b.impulse;
-        friction += b.friction;
-        normal += b.normal;
-        energy += b.energy;
-        frictionEnergy += b.frictionEnergy;
-        wrapped += b.wrapped;
-    }
-};
-
 //- Shift that brings x back into the cyclic box
 vector wrapShift(const vector& x, const cyclicBox& box)
 {
@@ -562,12 +549,48 @@ vector wrapShift(const vector& x, const cyclicBox& box)
 
 } // namespace
 
+bool grainDynamics::mayTouchGround(int i, const vector& step) const
+{
+    if (slot_[i] < 0)
+    {
+        return false;
+    }
+    const lpfPairs::wallRecord& wall =
+        walls_[static_cast<std::size_t>(slot_[i])];
+    const vector n(wall.normal[0], wall.normal[1], wall.normal[2]);
+    return wall.distance + (n & step) < contactShare * scene_.spacing;
+}
+
 // A grain that would come nearer to the ground than a tenth of the spacing is
 // set back and loses its approach, with friction on that impulse  (T 4.7)
-void grainDynamics::drift(scalar dt, scalar time)
+bool grainDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
 {
     const scalar closest = contactShare * scene_.spacing;
-    const vector g = scene_.g;
+    const groundHit hit = contact_.signedDistance(x, scene_.spacing);
+    if (!hit.found || hit.distance >= closest)
+    {
+        return false;
+    }
+    const vector before = U;
+    const vector move = (closest - hit.distance) * hit.normal;
+    const scalar approach = max(scalar(0), -(U & hit.normal));
+    const vector stopped = U + approach * hit.normal;
+    x += move;
+    U = afterFriction(
+        stopped, hit.normal, contact_.effectiveFriction(hit.zone) * approach
+    );
+    s.impulse += m * approach * hit.normal;
+    s.normal += m * approach;
+    s.friction += m * (U - stopped);
+    s.energy +=
+        0.5 * m * (magSqr(before) - magSqr(stopped)) + m * (scene_.g & move);
+    s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
+    return true;
+}
+
+void grainDynamics::drift(scalar dt, scalar time)
+{
+    constexpr int corners = 4; // a corner of three planes needs three
 
     const driftSums sums = orderedSum<driftSums>(
         grains.size(),
@@ -579,42 +602,14 @@ void grainDynamics::drift(scalar dt, scalar time)
             const vector step = U * dt;
             vector x = at(grains.x, i) + step;
 
-            bool look = false;
-            if (slot_[i] >= 0)
+            bool touches = mayTouchGround(i, step);
+            for (int k = 0; touches && k < corners; ++k)
             {
-                const lpfPairs::wallRecord& wall =
-                    walls_[static_cast<std::size_t>(slot_[i])];
-                const vector n(wall.normal[0], wall.normal[1], wall.normal[2]);
-                look = wall.distance + (n & step) < closest;
-            }
-            for (int tries = 0; look && tries < 4; ++tries)
-            {
-                const groundHit hit =
-                    contact_.signedDistance(x, scene_.spacing);
-                look = hit.found && hit.distance < closest;
-                if (!look)
-                {
-                    break;
-                }
-                const vector before = U, from = x;
-                const scalar approach = max(scalar(0), -(U & hit.normal));
-                x += (closest - hit.distance) * hit.normal;
-                const vector stopped = U + approach * hit.normal;
-                U = afterFriction(
-                    stopped,
-                    hit.normal,
-                    contact_.effectiveFriction(hit.zone) * approach
-                );
-                s.impulse += m * approach * hit.normal;
-                s.normal += m * approach;
-                s.friction += m * (U - stopped);
-                s.energy += 0.5 * m * (magSqr(before) - magSqr(stopped))
-                          + m * (g & (x - from));
-                s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
+                touches = setBack(m, x, U, s);
             }
 
             const vector shift = wrapShift(x, scene_.cyclic);
-            s.wrapped = -m * (g & shift);
+            s.wrapped = -m * (scene_.g & shift);
             set(grains.x, i, x + shift);
             set(grains.U, i, U);
             return s;

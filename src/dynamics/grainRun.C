@@ -167,7 +167,17 @@ word grainRun::readSolution()
     count.reason = "a number of steps";
     logInterval_ = label(readNumber(dict, "logInterval", dimless, count, 100));
 
-    const dictionary& stop = dict.subOrEmptyDict("stop");
+    readStop(dict.subOrEmptyDict("stop"));
+    return readChoice(
+        dict,
+        "instructionSet",
+        {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"},
+        "auto"
+    );
+}
+
+void grainRun::readStop(const dictionary& stop)
+{
     allowOnly(stop, {"criterion", "share", "speed", "after"});
     stop_.criterion = readChoice(
         stop, "criterion", {"movingMass", "kineticEnergy", "none"}, "none"
@@ -182,13 +192,6 @@ word grainRun::readSolution()
     notNegative.reason = "it cannot be negative";
     stop_.speed = readNumber(stop, "speed", dimVelocity, notNegative, 0);
     stop_.after = readNumber(stop, "after", dimTime, notNegative, 0);
-
-    return readChoice(
-        dict,
-        "instructionSet",
-        {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"},
-        "auto"
-    );
 }
 
 void grainRun::makeModels(const dictionary& boundaryProperties, const word& isa)

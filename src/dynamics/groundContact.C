@@ -109,19 +109,22 @@ void groundContact::update(scalar time, const cellLattice& lattice)
         }
     }
 
-    const surfaceElements all = ground_.elements(elementSpacing_);
-    const boundBox box = ground_.bounds();
+    takeElements(ground_.elements(elementSpacing_));
+    sort(lattice);
+}
+
+void groundContact::takeElements(const surfaceElements& all)
+{
     // in plane strain an element stands for a length: area over the width of
     // the ground along the normal of the plane
-    const scalar width =
-        planeThickness_ > 0 ? (box.span() & cmptMag(planeNormal_)) : 1;
-
-    size_ = 0;
-    realArrays<3> x, n;
-    realArray area, mu;
-    for (auto* f : {&x[0], &x[1], &x[2], &n[0], &n[1], &n[2], &area, &mu})
+    const scalar width = planeThickness_ > 0
+                           ? (ground_.bounds().span() & cmptMag(planeNormal_))
+                           : 1;
+    size_ = all.x.size();
+    for (auto* f :
+         {&x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_})
     {
-        f->resize(all.x.size());
+        f->resize(size_);
     }
     forAll (all.x, q)
     {
@@ -131,38 +134,33 @@ void groundContact::update(scalar time, const cellLattice& lattice)
         {
             at -= (at & planeNormal_) * planeNormal_;
         }
-        set(x, size_, at);
-        set(n, size_, all.nA[q] / A);
-        area[size_] = A / width;
-        mu[size_] = effectiveFriction(all.zone[q]);
-        ++size_;
+        set(x_, q, at);
+        set(n_, q, all.nA[q] / A);
+        area_[q] = A / width;
+        mu_[q] = effectiveFriction(all.zone[q]);
     }
+}
 
+void groundContact::sort(const cellLattice& lattice)
+{
     indexArray order;
     order.resize(size_);
-    lattice.sort(x, size_, order, cells_);
+    lattice.sort(x_, size_, order, cells_);
     if (!cells_.moved)
     {
+        return;
+    }
+    realArray sorted;
+    sorted.resize(size_);
+    for (auto* f :
+         {&x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_})
+    {
         for (int q = 0; q < size_; ++q)
         {
-            order[q] = q;
+            sorted[q] = (*f)[order[q]];
         }
+        f->swap(sorted);
     }
-    const auto arrange = [&](realArray& from, realArray& to)
-    {
-        to.resize(size_);
-        for (int q = 0; q < size_; ++q)
-        {
-            to[q] = from[order[q]];
-        }
-    };
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-        arrange(x[d], x_[d]);
-        arrange(n[d], n_[d]);
-    }
-    arrange(area, area_);
-    arrange(mu, mu_);
 }
 
 std::size_t groundContact::bytes() const
