@@ -90,7 +90,9 @@ struct segment
     scalar lower, upper, volume;
 };
 
-//- Height below which the given share of the volume of the column lies
+//- Height below which the given share of the volume of the column lies, to
+//  1e-9 of the volume. The volume below is a polygon over the height: Newton's
+//  steps, kept inside of what is known, end in a few
 scalar quantile(const std::vector<segment>& column, const scalar share)
 {
     scalar low = GREAT, high = -GREAT, total = 0;
@@ -100,20 +102,34 @@ scalar quantile(const std::vector<segment>& column, const scalar share)
         high = max(high, s.upper);
         total += s.volume;
     }
-    // 2^-24 of the column: far below what a height means
-    for (int k = 0; k < 24; ++k)
+    scalar z = low + share * (high - low);
+    for (label round = 0; round < 60; ++round)
     {
-        const scalar middle = 0.5 * (low + high);
-        scalar below = 0;
+        scalar missing = share * total, slope = 0;
         for (const segment& s : column)
         {
-            const scalar part = (middle - s.lower) / (s.upper - s.lower);
-            below += s.volume * max(scalar(0), min(scalar(1), part));
+            const scalar density = s.volume / (s.upper - s.lower);
+            if (z >= s.upper)
+            {
+                missing -= s.volume;
+            }
+            else if (z > s.lower)
+            {
+                missing -= density * (z - s.lower);
+                slope += density;
+            }
         }
-        (below < share * total ? low : high) = middle;
+        if (mag(missing) <= 1e-9 * total)
+        {
+            break;
+        }
+        (missing > 0 ? low : high) = z;
+        const scalar next = slope > 0 ? z + missing / slope : low;
+        z = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return 0.5 * (low + high);
+    return z;
 }
+
 
 //- Top of the column; see the header of columnSample
 scalar top(const std::vector<segment>& column)
@@ -212,11 +228,11 @@ public:
         momentum += share * sample_.mass[p] * sample_.U[p];
         if (hasValue(heights_[p]))
         {
-            column_.push_back(
-                {max(scalar(0), heights_[p] - 0.5 * size_[p]),
-                 heights_[p] + 0.5 * size_[p],
-                 share * sample_.volume[p]}
-            );
+            const scalar lower = max(scalar(0), heights_[p] - 0.5 * size_[p]);
+            // A grain deep below the ground lies on it, thin
+            const scalar upper =
+                max(heights_[p] + 0.5 * size_[p], lower + 0.01 * size_[p]);
+            column_.push_back({lower, upper, share * sample_.volume[p]});
         }
     }
 

@@ -20,9 +20,27 @@ scalar planDistance(const point& a, const point& b)
     return std::hypot(b.x() - a.x(), b.y() - a.y());
 }
 
+//- Without vertices that repeat the one before in plan
+pointField distinct(const pointField& vertices)
+{
+    DynamicList<point> points;
+    for (const point& x : vertices)
+    {
+        if (points.empty() || planDistance(points.last(), x) > 0)
+        {
+            points.append(x);
+        }
+    }
+    return pointField(std::move(points));
+}
+
 //- Vertices, and points between them no further apart than step
 pointField stations(const pointField& vertices, const scalar step)
 {
+    if (vertices.empty())
+    {
+        return {};
+    }
     DynamicList<point> points;
     points.append(vertices[0]);
     for (label v = 1; v < vertices.size(); ++v)
@@ -45,8 +63,9 @@ runoutPath::runoutPath(
     const pathLine& line, const ground& bed, const dictionary& context
 )
     : name_(line.name), length_(line.length),
-      points_(stations(line.vertices, line.step)),
-      plan_(points_.size(), scalar(0)), distance_(points_.size(), scalar(0))
+      vertices_(distinct(line.vertices)), corner_(vertices_.size(), scalar(0)),
+      points_(stations(vertices_, line.step)), plan_(points_.size(), scalar(0)),
+      distance_(points_.size(), scalar(0))
 {
     if (points_.size() < 2)
     {
@@ -67,6 +86,11 @@ runoutPath::runoutPath(
                 << exit(FatalIOError);
         }
         x.z() = hit.found ? hit.nearest.z() : 0;
+    }
+    for (label k = 1; k < vertices_.size(); ++k)
+    {
+        corner_[k] =
+            corner_[k - 1] + planDistance(vertices_[k - 1], vertices_[k]);
     }
     for (label k = 1; k < points_.size(); ++k)
     {
@@ -117,24 +141,24 @@ point runoutPath::position(const scalar s) const
 
 scalar runoutPath::project(const point& x) const
 {
-    const label last = points_.size() - 1;
+    const label last = vertices_.size() - 1;
     scalar nearest = GREAT, result = 0;
     for (label k = 0; k < last; ++k)
     {
-        const point& a = points_[k];
-        const point& b = points_[k + 1];
-        const scalar step = plan_[k + 1] - plan_[k];
+        const point& a = vertices_[k];
+        const scalar dx = vertices_[k + 1].x() - a.x();
+        const scalar dy = vertices_[k + 1].y() - a.y();
+        const scalar step = corner_[k + 1] - corner_[k];
         // Position along the step, in steps
-        scalar t = ((x.x() - a.x()) * (b.x() - a.x())
-                    + (x.y() - a.y()) * (b.y() - a.y()))
-                 / sqr(step);
+        scalar t = ((x.x() - a.x()) * dx + (x.y() - a.y()) * dy) / sqr(step);
         t = k > 0 ? max(scalar(0), t) : t;
         t = k < last - 1 ? min(scalar(1), t) : t;
-        const scalar d = planDistance(x, a + t * (b - a));
-        if (d < nearest)
+        const scalar d2 =
+            sqr(x.x() - a.x() - t * dx) + sqr(x.y() - a.y() - t * dy);
+        if (d2 < nearest)
         {
-            nearest = d;
-            result = plan_[k] + t * step;
+            nearest = d2;
+            result = corner_[k] + t * step;
         }
     }
     return result;
