@@ -266,6 +266,10 @@ void grainRun::readState()
         }
     }
     d.grains.fromCloud(cloud, grainDensity_);
+    if (scene_.dimensions == 2 && cloud.size() > 0)
+    {
+        contact_->setPlane(cloud.positions[0] & scene_.planeNormal);
+    }
 
     boundBox domain = ground_->bounds();
     const dictionary state = isFile(dir / "uniform" / "lpfState")

@@ -132,7 +132,7 @@ void groundContact::takeElements(const surfaceElements& all)
         point at = all.x[q];
         if (planeThickness_ > 0)
         {
-            at -= (at & planeNormal_) * planeNormal_;
+            at += (planeOffset_ - (at & planeNormal_)) * planeNormal_;
         }
         set(x_, q, at);
         set(n_, q, all.nA[q] / A);
