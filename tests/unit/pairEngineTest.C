@@ -1,0 +1,623 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every build of the pair loops against a plain double loop over all pairs, in
+// one number type, without cells: 1e-13.
+
+#include <catch2/catch.hpp>
+
+#include "cellLattice.H"
+#include "engineLoader.H"
+#include "pairTerms.H"
+#include "sampleCase.H"
+#include "sampleGrains.H"
+#include "wendlandC2.H"
+
+#include <cstring>
+
+using namespace Foam;
+using namespace Foam::lpf;
+using lpfPairs::pairEngine;
+using lpfPairs::wendlandC2;
+
+namespace
+{
+
+constexpr double dx = 0.1, h = 1.3 * dx;
+
+//- The builds that this processor runs
+std::vector<const pairEngine*> engines()
+{
+    std::vector<const pairEngine*> all;
+    for (const word isa : {"x86-64-v2", "x86-64-v3", "x86-64-v4"})
+    {
+        const bool runs = isa == "x86-64-v4" ? __builtin_cpu_supports("avx512f")
+                        : isa == "x86-64-v3" ? __builtin_cpu_supports("avx2")
+                                             : __builtin_cpu_supports("sse4.2");
+        if (runs)
+        {
+            all.push_back(&loadPairEngine(isa));
+            CHECK(isa == all.back()->instructionSet);
+        }
+        else
+        {
+            WARN("this processor has no " << isa << ": not tested");
+        }
+    }
+    return all;
+}
+
+
+//- Copy of an array in the order of a sort
+void arrange(realArray& values, const indexArray& order, int n)
+{
+    const realArray old = values;
+    for (int i = 0; i < n; ++i)
+    {
+        values[i] = old[order[i]];
+    }
+}
+
+
+//- Grains and surface elements at random, sorted into cells
+struct cloud
+{
+    int n = 0, dimensions;
+    cyclicBox box;
+    realArrays<3> x, u;
+    realArray V, m, rho;
+    realArrays<9> A, L;
+    sortedCells cells;
+
+    int nElements = 0;
+    realArrays<3> ex, en;
+    realArray area, mu;
+    sortedCells elements;
+    indexArray slot;
+
+    cloud(unsigned seed, int dims, bool cyclic) : dimensions(dims)
+    {
+        randomNumbers random(seed);
+        const auto points =
+            jitteredLattice(random, Zero, {10, dims == 2 ? 1 : 8, 7}, dx, 0.3);
+        n = static_cast<int>(points.size());
+        resize();
+        for (int i = 0; i < n; ++i)
+        {
+            vector p = points[static_cast<std::size_t>(i)];
+            if (dims == 2)
+            {
+                p.y() = 0;
+            }
+            set(x, i, p);
+            set(u, i, random.inCube(2));
+            V[i] = random(0.5, 1.5) * dx * dx * (dims == 2 ? 1 : dx);
+            m[i] = V[i] * random(1000, 2000);
+            rho[i] = m[i] / V[i];
+            for (std::size_t c = 0; c < 9; ++c)
+            {
+                A[c][i] = random(-1e4, 1e4);
+                L[c][i] = random(-20, 20);
+            }
+        }
+        if (cyclic)
+        {
+            box.period = vector(10 * dx, dims == 2 ? 0 : 8 * dx, 0);
+            wrap();
+        }
+        const cellLattice lattice(h, box);
+        sort(lattice);
+        makeElements(random, lattice);
+        // what lies beyond the end must not matter, as long as it is finite
+        for (auto* f : {&x[0], &x[1], &x[2], &u[0], &u[1], &u[2], &V, &m})
+        {
+            f->pad(n, 0.3);
+        }
+        rho.pad(n, 1);
+        for (std::size_t c = 0; c < 9; ++c)
+        {
+            A[c].pad(n, 1e9);
+            L[c].pad(n, 1e9);
+        }
+    }
+
+    void resize()
+    {
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+            x[d].resize(n);
+            u[d].resize(n);
+        }
+        for (auto* f : {&V, &m, &rho})
+        {
+            f->resize(n);
+        }
+        for (std::size_t c = 0; c < 9; ++c)
+        {
+            A[c].resize(n);
+            L[c].resize(n);
+        }
+    }
+
+    void wrap()
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            const double p = box.period[d];
+            for (int i = 0; p > 0 && i < n; ++i)
+            {
+                x[d][i] -= p * std::floor(x[d][i] / p);
+            }
+        }
+    }
+
+    void sort(const cellLattice& lattice)
+    {
+        indexArray order;
+        order.resize(n);
+        lattice.sort(x, n, order, cells);
+        REQUIRE(cells.moved);
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+            arrange(x[d], order, n);
+            arrange(u[d], order, n);
+        }
+        for (auto* f : {&V, &m, &rho})
+        {
+            arrange(*f, order, n);
+        }
+        for (std::size_t c = 0; c < 9; ++c)
+        {
+            arrange(A[c], order, n);
+            arrange(L[c], order, n);
+        }
+    }
+
+    void makeElements(randomNumbers& random, const cellLattice& lattice)
+    {
+        // on a wavy floor, looking upwards in all directions
+        nElements = 400;
+        for (auto* f :
+             {&ex[0], &ex[1], &ex[2], &en[0], &en[1], &en[2], &area, &mu})
+        {
+            f->resize(nElements);
+        }
+        for (int q = 0; q < nElements; ++q)
+        {
+            const vector p(
+                random(-2 * dx, 12 * dx),
+                dimensions == 2 ? 0 : random(-2 * dx, 10 * dx),
+                random(-dx, dx)
+            );
+            vector normal = vector(0, 0, 1) + random.inCube(0.9);
+            normal.y() *= dimensions == 3;
+            set(ex, q, p);
+            set(en, q, normal / mag(normal));
+            area[q] = random(0.2, 1) * dx * (dimensions == 2 ? 1 : dx);
+            mu[q] = random(0, 1);
+        }
+        indexArray order;
+        order.resize(nElements);
+        lattice.sort(ex, nElements, order, elements);
+        for (auto* f :
+             {&ex[0], &ex[1], &ex[2], &en[0], &en[1], &en[2], &area, &mu})
+        {
+            arrange(*f, order, nElements);
+        }
+        slot.resize(n);
+    }
+
+    //- term(j, x_ij) for all images within the support
+    template<class Term>
+    void overPairs(int i, const Term& term) const
+    {
+        const double Px = box.period.x(), Py = box.period.y();
+        for (int ix = Px > 0 ? -1 : 0; ix <= (Px > 0 ? 1 : 0); ++ix)
+        {
+            for (int iy = Py > 0 ? -1 : 0; iy <= (Py > 0 ? 1 : 0); ++iy)
+            {
+                const vector from = at(x, i) - vector(ix * Px, iy * Py, 0);
+                for (int j = 0; j < n; ++j)
+                {
+                    const vector x_ij = from - at(x, j);
+                    if (magSqr(x_ij) < 4 * h * h)
+                    {
+                        term(j, vec(x_ij));
+                    }
+                }
+            }
+        }
+    }
+
+    template<class Pass>
+    void fill(Pass& p) const
+    {
+        p = {};
+        p.cells = cells.grid;
+        p.h = h;
+        p.dimensions = dimensions;
+        p.x = x[0].data();
+        p.y = x[1].data();
+        p.z = x[2].data();
+    }
+};
+
+
+//- Columns of results, and how far two of them are apart
+class results
+{
+    std::vector<std::vector<double>> columns_;
+
+public:
+    results(std::size_t columns, int n)
+        : columns_(columns, std::vector<double>(static_cast<std::size_t>(n)))
+    {
+    }
+
+    double* column(std::size_t c) { return columns_[c].data(); }
+
+    //- Largest difference over the largest value of a group of columns
+    double apart(const results& other, std::size_t from, std::size_t to) const
+    {
+        double difference = 0, largest = 0;
+        for (std::size_t c = from; c < to; ++c)
+        {
+            for (std::size_t i = 0; i < columns_[c].size(); ++i)
+            {
+                difference = std::max(
+                    difference, std::abs(columns_[c][i] - other.columns_[c][i])
+                );
+                largest = std::max(largest, std::abs(columns_[c][i]));
+            }
+        }
+        REQUIRE(largest > 0);
+        return difference / largest;
+    }
+};
+
+
+results kinematicsOf(const cloud& c, const pairEngine* engine)
+{
+    results all(15, c.n);
+    if (engine)
+    {
+        lpfPairs::kinematicsPass p;
+        c.fill(p);
+        p.u = c.u[0].data();
+        p.v = c.u[1].data();
+        p.w = c.u[2].data();
+        p.V = c.V.data();
+        for (std::size_t k = 0; k < 9; ++k)
+        {
+            p.R[k] = all.column(k);
+        }
+        for (std::size_t k = 0; k < 6; ++k)
+        {
+            p.M[k] = all.column(9 + k);
+        }
+        engine->kinematics(p);
+        return all;
+    }
+    const wendlandC2 W(h, c.dimensions);
+    for (int i = 0; i < c.n; ++i)
+    {
+        lpfPairs::Kinematics<double> sum = {};
+        c.overPairs(
+            i,
+            [&](int j, const Vec3& x_ij)
+            {
+                addKinematics(
+                    sum,
+                    c.V[j] * W.gradByDistance(magSqr(x_ij)),
+                    x_ij,
+                    vec(at(c.u, i) - at(c.u, j))
+                );
+            }
+        );
+        double values[15];
+        static_assert(sizeof(values) == sizeof(sum), "all of the sums");
+        std::memcpy(values, &sum, sizeof(sum));
+        for (std::size_t k = 0; k < 15; ++k)
+        {
+            all.column(k)[i] = values[k];
+        }
+    }
+    return all;
+}
+
+
+constexpr double soundSpeed = 40, thickness = 0.7;
+
+//- Artificial viscosity and damping of noise
+struct damping
+{
+    const char* name;
+    double alpha, beta;
+};
+
+//- Acceleration and viscous power
+results forcesOf(const cloud& c, const pairEngine* engine, const damping& by)
+{
+    results all(4, c.n);
+    const bool viscous = by.alpha > 0 || by.beta > 0;
+    if (engine)
+    {
+        lpfPairs::forcePass p;
+        c.fill(p);
+        p.thickness = thickness;
+        p.V = c.V.data();
+        p.m = c.m.data();
+        for (std::size_t k = 0; k < 9; ++k)
+        {
+            p.A[k] = c.A[k].data();
+        }
+        p.ax = all.column(0);
+        p.ay = all.column(1);
+        p.az = all.column(2);
+        if (viscous)
+        {
+            p.alpha = by.alpha;
+            p.beta = by.beta;
+            p.soundSpeed = soundSpeed;
+            p.u = c.u[0].data();
+            p.v = c.u[1].data();
+            p.w = c.u[2].data();
+            p.rho = c.rho.data();
+            p.viscousPower = all.column(3);
+            for (std::size_t k = 0; k < 9; ++k)
+            {
+                p.L[k] = c.L[k].data();
+            }
+        }
+        engine->force(p);
+        return all;
+    }
+    const auto tensorAt = [](const realArrays<9>& from, int i)
+    {
+        tensor t;
+        for (direction k = 0; k < 9; ++k)
+        {
+            t[k] = from[k][i];
+        }
+        return t;
+    };
+    const wendlandC2 W(h, c.dimensions);
+    for (int i = 0; i < c.n; ++i)
+    {
+        lpfPairs::Force<double> sum = {};
+        vector a = Zero;
+        double power = 0;
+        c.overPairs(
+            i,
+            [&](int j, const Vec3& x_ij)
+            {
+                const double rSqr = magSqr(x_ij), F = W.gradByDistance(rSqr);
+                addForce(sum, c.V[j] * F, x_ij, tens(tensorAt(c.A, j)));
+                const Vec3 v_ij = vec(at(c.u, i) - at(c.u, j));
+                const double rhoMean = 0.5 * (c.rho[i] + c.rho[j]);
+                const vector w_ij = toFoam(v_ij)
+                                  - (0.5 * (tensorAt(c.L, i) + tensorAt(c.L, j))
+                                     & toFoam(x_ij));
+                const double hc = h * soundSpeed;
+                const double Pi =
+                    lpfPairs::artificialViscosity(
+                        x_ij, v_ij, rSqr, by.alpha * hc, h * h, rhoMean
+                    )
+                    + lpfPairs::noiseDamping(
+                        x_ij, vec(w_ij), rSqr, by.beta * hc, h * h, rhoMean
+                    );
+                const vector a_ij =
+                    (-c.m[j] * Pi * F / thickness) * toFoam(x_ij);
+                a += a_ij;
+                // each of the two bears half of what the pair loses
+                power -= 0.5 * c.m[i] * (a_ij & toFoam(v_ij));
+            }
+        );
+        const vector pairs =
+            (thickness * c.V[i] / c.m[i])
+            * toFoam((tens(tensorAt(c.A, i)) & sum.gradV) + sum.other);
+        for (direction d = 0; d < 3; ++d)
+        {
+            all.column(d)[i] = pairs[d] + (viscous ? a[d] : 0);
+        }
+        all.column(3)[i] = viscous ? power : 0;
+    }
+    return all;
+}
+
+
+//- N3 (10), D2 (6), area, friction, then the nearest element: its squared
+//  distance, plane distance, normal, and whether there is one
+results wallsOf(cloud& c, const pairEngine* engine)
+{
+    results all(24, c.n);
+    lpfPairs::wallPass p;
+    c.fill(p);
+    // the ground has no images, as groundContact::present says
+    p.elements = c.elements.grid;
+    for (double& period : p.elements.period)
+    {
+        period = 0;
+    }
+    p.layerDepth = dx;
+    p.behind = 0.1 * dx;
+    p.outOfSight = dx;
+    if (engine)
+    {
+        p.ex = c.ex[0].data();
+        p.ey = c.ex[1].data();
+        p.ez = c.ex[2].data();
+        p.nx = c.en[0].data();
+        p.ny = c.en[1].data();
+        p.nz = c.en[2].data();
+        p.area = c.area.data();
+        p.mu = c.mu.data();
+        p.slot = c.slot.data();
+        std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
+            engine->wallSlots(p.cells, p.elements, c.slot.data())
+        ));
+        p.sums = records.data();
+        engine->wall(p);
+        for (int i = 0; i < c.n; ++i)
+        {
+            if (c.slot[i] < 0)
+            {
+                continue;
+            }
+            const auto& r = records[static_cast<std::size_t>(c.slot[i])];
+            double values[23];
+            static_assert(sizeof(values) == sizeof(r), "all of the record");
+            std::memcpy(values, &r, sizeof(r));
+            const bool found = values[18] < 4 * h * h;
+            for (std::size_t k = 0; k < 23; ++k)
+            {
+                all.column(k)[i] = k < 18 || found ? values[k] : 0;
+            }
+            all.column(23)[i] = found;
+        }
+        return all;
+    }
+    const wendlandC2 W(h, c.dimensions);
+    for (int i = 0; i < c.n; ++i)
+    {
+        lpfPairs::WallSums<double> sum = {};
+        double nearest = 4 * h * h, distance = 0;
+        vector normal = Zero;
+        bool found = false;
+        for (int q = 0; q < c.nElements; ++q)
+        {
+            const vector x = at(c.x, i) - at(c.ex, q), nq = at(c.en, q);
+            const double rSqr = magSqr(x), d = x & nq;
+            if (rSqr < nearest && d > -p.outOfSight)
+            {
+                nearest = rSqr;
+                distance = d;
+                normal = nq;
+                found = true;
+            }
+            if (d > -p.behind && rSqr < 4 * h * h)
+            {
+                const auto s = lpfPairs::layerSums(W, rSqr, d, dx);
+                addWall(
+                    sum,
+                    lpfPairs::LayerSums<double>{
+                        c.area[q] * s.E, c.area[q] * s.D},
+                    vec(nq),
+                    c.mu[q]
+                );
+            }
+        }
+        double values[18];
+        static_assert(sizeof(values) == sizeof(sum), "all of the sums");
+        std::memcpy(values, &sum, sizeof(sum));
+        for (std::size_t k = 0; k < 18; ++k)
+        {
+            all.column(k)[i] = values[k];
+        }
+        const double rest[6] = {
+            found ? nearest : 0,
+            distance,
+            normal.x(),
+            normal.y(),
+            normal.z(),
+            double(found)};
+        for (std::size_t k = 0; k < 6; ++k)
+        {
+            all.column(18 + k)[i] = rest[k];
+        }
+    }
+    return all;
+}
+
+
+template<class Test>
+void forScenes(const Test& test)
+{
+    for (const int dimensions : {3, 2})
+    {
+        for (const bool cyclic : {false, true})
+        {
+            cloud c(20 + static_cast<unsigned>(dimensions), dimensions, cyclic);
+            INFO(dimensions << " dimensions, cyclic " << cyclic);
+            test(c);
+        }
+    }
+}
+
+} // namespace
+
+
+TEST_CASE("pair engines: kinematics of every instruction set")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            const results expected = kinematicsOf(c, nullptr);
+            for (const pairEngine* engine : all)
+            {
+                INFO(engine->instructionSet);
+                const results got = kinematicsOf(c, engine);
+                CHECK(expected.apart(got, 0, 9) < 1e-13);
+                CHECK(expected.apart(got, 9, 15) < 1e-13);
+            }
+        }
+    );
+}
+
+
+TEST_CASE("pair engines: force of every instruction set")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            for (const damping& by :
+                 {damping{"none", 0, 0},
+                  damping{"viscosity", 0.03, 0},
+                  damping{"viscosity and noise", 0.03, 0.2}})
+            {
+                const results expected = forcesOf(c, nullptr, by);
+                for (const pairEngine* engine : all)
+                {
+                    INFO(engine->instructionSet << ", damping: " << by.name);
+                    const results got = forcesOf(c, engine, by);
+                    CHECK(expected.apart(got, 0, 3) < 1e-13);
+                    if (by.alpha > 0)
+                    {
+                        CHECK(expected.apart(got, 3, 4) < 1e-13);
+                    }
+                }
+            }
+        }
+    );
+}
+
+
+TEST_CASE("pair engines: ground of every instruction set")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            const results expected = wallsOf(c, nullptr);
+            for (const pairEngine* engine : all)
+            {
+                INFO(engine->instructionSet);
+                const results got = wallsOf(c, engine);
+                CHECK(expected.apart(got, 0, 10) < 1e-13);
+                CHECK(expected.apart(got, 10, 16) < 1e-13);
+                CHECK(expected.apart(got, 16, 18) < 1e-13);
+                // found or not, and which: the same element
+                CHECK(expected.apart(got, 18, 19) < 1e-13);
+                CHECK(expected.apart(got, 19, 20) < 1e-13);
+                CHECK(expected.apart(got, 20, 24) == 0);
+            }
+        }
+    );
+}
+
+
+TEST_CASE("pair engines: an instruction set that is not known is refused")
+{
+    const std::string message = errorOf([] { loadPairEngine("x86-64-v9"); });
+    CHECK(message.find("x86-64-v9") != std::string::npos);
+}
