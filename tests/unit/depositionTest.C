@@ -240,9 +240,10 @@ TEST_CASE("deposition: grains above a flow do not lift its depth")
     // One grain in the air, 2 m above a flow of 1 m
     sample.x.append(point(1.5, 1.5, 3));
     sample.U.append(vector::zero);
-    sample.mass.append(sample.mass[0]);
-    sample.volume.append(sample.volume[0]);
-    sample.h.append(sample.h[0]);
+    // by value: append would read its argument after it has moved the list
+    sample.mass.append(scalar(sample.mass[0]));
+    sample.volume.append(scalar(sample.volume[0]));
+    sample.h.append(scalar(sample.h[0]));
     const scalarField heights(sample.x.component(vector::Z)());
 
     const planGrid grid = cells(1.4, 1.4, 0.2, 1, 1);
