@@ -74,8 +74,9 @@ void caseSampler::findTimes(const instantList& all, const instantList& selected)
     {
         if (hasClouds(t))
         {
-            releaseDir_ = caseDir_ / t.name();
-            break;
+            releaseDir_ =
+                releaseDir_.empty() ? caseDir_ / t.name() : releaseDir_;
+            latest_ = t.name();
         }
     }
 }

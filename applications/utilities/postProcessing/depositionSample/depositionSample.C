@@ -9,8 +9,9 @@ Usage        depositionSample [-case <dir>] [-dict <file>]
              Reads  system/depositionSampleDict, constant/terrain,
                     constant/releaseProperties, constant/phaseProperties,
                     <time>/lagrangian/<cloud>
-             Writes postProcessing/deposition/<first time sampled>/, anew and
-                    as a whole; with more clouds than one a folder for each
+             Writes postProcessing/deposition/<first time sampled>/, with
+                    _<last time> if later times are left out, anew and as a
+                    whole; with more clouds than one a folder for each
              Manual etc/caseDicts/annotated/depositionSampleDict
 */
 #include "argList.H"
@@ -73,7 +74,7 @@ int main(int argc, char* argv[])
         found.push_back(lpf::findingsOf(results.back()));
     }
     lpf::productFolder folder(
-        args.path() / "postProcessing" / "deposition", sampler.startTime()
+        args.path() / "postProcessing" / "deposition", sampler.folderName()
     );
     for (std::size_t k = 0; k < results.size(); ++k)
     {

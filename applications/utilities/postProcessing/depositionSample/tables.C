@@ -264,6 +264,33 @@ void summarisePath(summary& line, const deposit& result, const label p)
 }
 
 
+//- Volume by density over volume by the space that the particles take, on the
+//  cells that are covered; 1 where the density is that of the arrangement
+scalar thicknessOverDepth(const deposit& result)
+{
+    const depositionFields& fields = result.fields;
+    scalar thickness = 0, depth = 0;
+    forAll (fields.depth, c)
+    {
+        if (hasValue(fields.depth[c]) && fields.depth[c] > 0)
+        {
+            thickness += fields.thicknessVertical[c];
+            depth += fields.depth[c];
+        }
+    }
+    const scalar ratio = depth > 0 ? thickness / depth : noValue;
+    if (ratio > 1.1)
+    {
+        WarningInFunction
+            << "the particles stand closer than their density says: vertical "
+            << "thickness over depth is " << ratio << " on the covered cells "
+            << "at the last time. Thickness and outline rest on the density; "
+            << "the depth is that of the particles." << endl;
+    }
+    return ratio;
+}
+
+
 void writeSummary(
     const fileName& file, const deposit& result, const findings& found
 )
@@ -297,6 +324,11 @@ void writeSummary(
     line("reached at any time " + outline + "area", found.reached.area(), "m2");
     line("largest vertical thickness", last.maxThickness, "m");
     line("largest depth", last.maxDepth, "m");
+    line(
+        "vertical thickness over depth of the covered cells",
+        thicknessOverDepth(result),
+        "-"
+    );
     line("largest depth of all times", max(fields.maxDepth), "m");
     line("largest speed of the depth average", max(fields.maxSpeed), "m/s");
     scalar fastest = 0;
