@@ -205,7 +205,7 @@ void grainRun::makeModels(const dictionary& boundaryProperties, const word& isa)
     scale.gH = mag(scene_.g) * release.get<scalar>("releaseHeight");
     scale.maxSpeed = release.get<scalar>("maxSpeed");
 
-    const word rheology(phase_.get<word>("rheology"));
+    const word rheology(granularRheology::nameOf(phase_));
     const elasticity elastic(
         phase_.optionalSubDict(rheology + "Coeffs"), scale
     );

@@ -79,7 +79,8 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
         refuse(
             dict,
             "adjustTimeStep",
-            "The time step follows the stability limits, a fixed one would "
+            "adjustTimeStep no: the step follows the stability limits, a fixed "
+            "one would "
             "blow up or waste time; write yes, and maxDeltaT for an upper "
             "bound"
         );

@@ -9,20 +9,24 @@ namespace lpf
 defineTypeNameAndDebug(granularRheology, 0);
 defineRunTimeSelectionTable(granularRheology, dictionary);
 
-autoPtr<granularRheology>
-granularRheology::New(const dictionary& phase, const elasticity& elastic)
+word granularRheology::nameOf(const dictionary& phase)
 {
     const word name(phase.get<word>("rheology"));
-    auto choice = dictionaryConstructorTablePtr_->cfind(name);
-
-    if (!choice.found())
+    if (!dictionaryConstructorTablePtr_->found(name))
     {
         FatalIOErrorInFunction(phase)
-            << "rheology " << name << " is not known; valid: "
+            << "rheology " << name << " is not known; write one of "
             << dictionaryConstructorTablePtr_->sortedToc()
             << exit(FatalIOError);
     }
-    return choice()(phase, elastic);
+    return name;
+}
+
+autoPtr<granularRheology>
+granularRheology::New(const dictionary& phase, const elasticity& elastic)
+{
+    const word name(nameOf(phase));
+    return dictionaryConstructorTablePtr_->cfind(name)()(phase, elastic);
 }
 
 } // namespace lpf
