@@ -47,7 +47,9 @@ class Test:
     def shell(self, command, folder, log, limit=None):
         """Exit status of a command; its output goes to the open file log."""
         environment = dict(os.environ, OMP_NUM_THREADS=str(self.threads),
-                           LPF_TEST_JOBS=str(JOBS), LPF_QUIET="1")
+                           LPF_TEST_JOBS=str(JOBS), LPF_QUIET="1",
+                           # OpenFOAM warns where it is not the true folder
+                           PWD=str(folder))
         process = subprocess.Popen(
             command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log,
             stderr=subprocess.STDOUT, env=environment, start_new_session=True)
