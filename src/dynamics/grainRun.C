@@ -20,7 +20,26 @@ namespace
 //- Grains that leave this far above the ground are taken out, times the extent
 constexpr scalar headroom = 0.5;
 
-cyclicBox readCyclic(const dictionary& dict, const point& origin)
+//- The entry `y (-1 1);`
+FixedList<scalar, 2> readEnds(const dictionary& cyclic, const word& axis)
+{
+    const ITstream& is = cyclic.lookup(axis);
+    if (is.size() != 4 || is[0] != token::BEGIN_LIST || !is[1].isNumber()
+        || !is[2].isNumber() || is[3] != token::END_LIST
+        || !(is[1].number() < is[2].number()))
+    {
+        refuse(
+            cyclic,
+            axis,
+            "A cyclic pair is two coordinates, the smaller one first; write "
+                + axis + " (<lower> <upper>); in m"
+        );
+    }
+    return {is[1].number(), is[2].number()};
+}
+
+cyclicBox
+readCyclic(const dictionary& dict, const point& origin, const scalar h)
 {
     cyclicBox box;
     const dictionary& cyclic = dict.subOrEmptyDict("cyclic");
@@ -30,22 +49,93 @@ cyclicBox readCyclic(const dictionary& dict, const point& origin)
     {
         if (cyclic.found(axes[d]))
         {
-            const FixedList<scalar, 2> ends(
-                cyclic.get<FixedList<scalar, 2>>(axes[d])
-            );
-            if (!(ends[0] < ends[1]))
+            const FixedList<scalar, 2> ends = readEnds(cyclic, axes[d]);
+            box.lower[d] = ends[0] - origin[d];
+            box.period[d] = ends[1] - ends[0];
+            if (box.period[d] < 2 * h)
             {
                 refuse(
                     cyclic,
                     axes[d],
-                    "The lower plane must come first; write (lower upper) in m"
+                    "The period of " + Foam::name(box.period[d])
+                        + " m is shorter than the support of the kernel, "
+                        + Foam::name(2 * h)
+                        + " m: a grain would be its own neighbour. Write a "
+                          "longer period or take a smaller spacing"
                 );
             }
-            box.lower[d] = ends[0] - origin[d];
-            box.period[d] = ends[1] - ends[0];
         }
     }
     return box;
+}
+
+//- A number that terrainToParticles wrote
+scalar
+prepared(const dictionary& release, const word& key, const dimensionSet& dims)
+{
+    bounds limits;
+    limits.lower = 0;
+    limits.lowerOpen = key != "maxSpeed" && key != "releaseHeight";
+    limits.reason = "terrainToParticles writes it; run it again";
+    return readNumber(release, key, dims, limits);
+}
+
+//- A sub-dictionary that must be there
+const dictionary&
+needed(const dictionary& dict, const word& key, const string& remedy)
+{
+    const dictionary* sub = dict.findDict(key);
+    if (!sub)
+    {
+        refuse(dict, key, "There is no dictionary " + key + "; " + remedy);
+    }
+    return *sub;
+}
+
+//- Fields without which there is no state; from a run, all that it wrote
+void checkFields(
+    const cloudState& cloud, const fileName& dir, const bool continued
+)
+{
+    wordList missing;
+    const auto need = [&](const auto& fields, const wordList& names)
+    {
+        for (const word& name : names)
+        {
+            if (!fields.found(name))
+            {
+                missing.append(name);
+            }
+        }
+    };
+    need(cloud.labels, {"id", "zone"});
+    need(cloud.vectors, {"U"});
+    need(cloud.symmTensors, {"sigma"});
+    need(cloud.scalars, {"mass", "alpha"});
+    if (continued || cloud.scalars.found("rhoRef"))
+    {
+        need(cloud.scalars, {"rho", "rhoRef", "I"});
+    }
+    const fileName file(dir / "lagrangian" / "grains");
+    if (missing.size())
+    {
+        FatalIOError("", "", 0, file / missing[0], -1, -1)
+            << "The file does not exist" << nl
+            << (continued ? "Go on from an earlier time"
+                          : "Run terrainToParticles again")
+            << exit(FatalIOError);
+    }
+    const scalarField& mass = cloud.scalars["mass"];
+    forAll (mass, i)
+    {
+        if (!(mass[i] > 0))
+        {
+            FatalIOError("", "", 0, file / "mass", -1, -1)
+                << "Grain " << i << " has a mass of " << mass[i]
+                << " kg: it would not move. Run terrainToParticles again, or "
+                << "go on from an earlier time" << exit(FatalIOError);
+        }
+    }
 }
 
 } // namespace
@@ -61,8 +151,8 @@ grainRun::grainRun(const fileName& caseDir)
         readDictionary(caseDir / "constant" / "phaseProperties")
     );
     allowOnly(phases, {"phases", "grains", "water"});
-    const wordList names(phases.get<wordList>("phases"));
-    if (names != wordList({"grains"}))
+    if (!phases.found("phases")
+        || phases.get<wordList>("phases") != wordList({"grains"}))
     {
         refuse(
             phases,
@@ -76,7 +166,11 @@ grainRun::grainRun(const fileName& caseDir)
             << "The dictionary of water is not used: phases names grains alone"
             << endl;
     }
-    phase_ = phases.subDict("grains");
+    phase_ = needed(
+        phases,
+        "grains",
+        "write grains { rho 2600; diameter 0.005; rheology muI; muICoeffs {} }"
+    );
     allowOnly(phase_, {"rho", "diameter", "rheology", "muICoeffs"});
 
     bounds positive;
@@ -100,14 +194,14 @@ void grainRun::readScene(const dictionary& boundaryProperties)
     const dictionary release(
         readDictionary(caseDir_ / "constant" / "releaseProperties")
     );
-    scene_.spacing = release.get<scalar>("spacing");
-    scene_.h = release.get<scalar>("smoothingLength");
-    scene_.dimensions = release.get<label>("dimensions");
+    scene_.spacing = prepared(release, "spacing", dimLength);
+    scene_.h = prepared(release, "smoothingLength", dimLength);
+    scene_.dimensions = label(prepared(release, "dimensions", dimless));
     scene_.planeThickness = release.getOrDefault<scalar>("planeThickness", 1);
     scene_.planeNormal =
         release.getOrDefault<vector>("planeNormal", vector(0, 1, 0));
     scene_.g = readGravity(caseDir_);
-    scene_.cyclic = readCyclic(boundaryProperties, ground_->origin());
+    scene_.cyclic = readCyclic(boundaryProperties, ground_->origin(), scene_.h);
 
     if (stop_.speed <= 0)
     {
@@ -116,7 +210,10 @@ void grainRun::readScene(const dictionary& boundaryProperties)
     if (stop_.after <= 0 && mag(scene_.g) > 0)
     {
         stop_.after =
-            2 * sqrt(release.get<scalar>("releaseHeight") / mag(scene_.g));
+            2
+            * sqrt(
+                prepared(release, "releaseHeight", dimLength) / mag(scene_.g)
+            );
     }
 }
 
@@ -201,13 +298,23 @@ void grainRun::makeModels(const dictionary& boundaryProperties, const word& isa)
     );
     stiffnessScale scale;
     scale.rhoBulk =
-        grainDensity_ * release.subDict("grains").get<scalar>("solidFraction");
-    scale.gH = mag(scene_.g) * release.get<scalar>("releaseHeight");
-    scale.maxSpeed = release.get<scalar>("maxSpeed");
+        grainDensity_
+        * prepared(
+            needed(release, "grains", "run terrainToParticles again"),
+            "solidFraction",
+            dimless
+        );
+    scale.gH = mag(scene_.g) * prepared(release, "releaseHeight", dimLength);
+    scale.maxSpeed = prepared(release, "maxSpeed", dimVelocity);
 
-    const word rheology(granularRheology::nameOf(phase_));
+    const word coeffs(granularRheology::nameOf(phase_) + "Coeffs");
     const elasticity elastic(
-        phase_.optionalSubDict(rheology + "Coeffs"), scale
+        needed(
+            phase_,
+            coeffs,
+            "write the numbers of the rheology into it, tutorials show how"
+        ),
+        scale
     );
     rheology_ = granularRheology::New(phase_, elastic);
     contact_.reset(new groundContact(
@@ -256,15 +363,7 @@ void grainRun::readState()
     const fileName dir = control_.path(control_.startTime());
     grainDynamics& d = *dynamics_;
     const cloudState cloud(readCloud(dir, "grains"));
-    for (const word needed : {"mass", "alpha"})
-    {
-        if (!cloud.scalars.found(needed))
-        {
-            FatalErrorInFunction << dir << "/lagrangian/grains has no field "
-                                 << needed << ". Run terrainToParticles again"
-                                 << exit(FatalError);
-        }
-    }
+    checkFields(cloud, dir, isFile(dir / "uniform" / "lpfState"));
     d.grains.fromCloud(cloud, grainDensity_);
     if (scene_.dimensions == 2 && cloud.size() > 0)
     {
@@ -287,7 +386,8 @@ void grainRun::readState()
         domain = boundBox(
             state.get<point>("domainMin"), state.get<point>("domainMax")
         );
-        d.ledger.restore(state.subDict("balance"));
+        d.ledger.restore(needed(state, "balance", "go on from an earlier time")
+        );
     }
     else
     {

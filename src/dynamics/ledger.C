@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ledger.H"
 
+#include "inputCheck.H"
 #include "primitiveEntry.H"
 #include "wordList.H"
 
@@ -62,6 +63,13 @@ void forVectorSums(Balance& b, const Task& task)
 
 const char* const massNames[2] = {"initialMass", "leftMass"};
 
+//- x and at most sixteen digits
+bool isHexadecimal(const word& w)
+{
+    return w.size() > 1 && w.size() < 18 && w[0] == 'x'
+        && w.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+}
+
 } // namespace
 
 dictionary balance::state() const
@@ -82,15 +90,46 @@ dictionary balance::state() const
 
 void balance::restore(const dictionary& d)
 {
-    forSums(*this, [&](const char* name, scalar& v) { d.readEntry(name, v); });
+    const auto need = [&](const char* name, bool good)
+    {
+        if (!good)
+        {
+            refuse(
+                d,
+                name,
+                word(name)
+                    + " is missing or damaged: the ledger would not go on. "
+                      "Go on from an earlier time"
+            );
+        }
+    };
+    forSums(
+        *this,
+        [&](const char* name, scalar& v)
+        {
+            need(name, d.found(name));
+            d.readEntry(name, v);
+        }
+    );
     forVectorSums(
-        *this, [&](const char* name, vector& v) { d.readEntry(name, v); }
+        *this,
+        [&](const char* name, vector& v)
+        {
+            need(name, d.found(name));
+            d.readEntry(name, v);
+        }
     );
     lpfPairs::exactSum* masses[2] = {&initialMass, &leftMass};
     for (int k = 0; k < 2; ++k)
     {
+        need(massNames[k], d.found(massNames[k]));
         const wordList words(d.get<wordList>(massNames[k]));
         auto text = masses[k]->text();
+        need(massNames[k], words.size() == label(text.size()));
+        for (const word& w : words)
+        {
+            need(massNames[k], isHexadecimal(w));
+        }
         std::copy(words.begin(), words.end(), text.begin());
         masses[k]->fromText(text);
     }

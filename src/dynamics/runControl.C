@@ -72,7 +72,10 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
     precision.reason = "a double has at most 17 digits";
     timePrecision_ =
         label(readNumber(dict, "timePrecision", dimless, precision, 6));
-    purgeWrite_ = dict.getOrDefault<label>("purgeWrite", 0);
+    bounds times;
+    times.lower = 0;
+    times.reason = "the number of times to keep, 0: all";
+    purgeWrite_ = label(readNumber(dict, "purgeWrite", dimless, times, 0));
     modifiable_ = dict.getOrDefault<Switch>("runTimeModifiable", true);
     if (!dict.getOrDefault<Switch>("adjustTimeStep", true))
     {
@@ -162,8 +165,9 @@ void runControl::chooseStart(const dictionary& dict)
             refuse(
                 dict,
                 "startTime",
-                "There are no particles at this time; nearest: "
-                    + present[nearest].name()
+                "There are no particles at this time; the nearest is "
+                    + present[nearest].name() + ". Write startTime "
+                    + present[nearest].name() + "; or startFrom latestTime;"
             );
         }
     }
@@ -197,13 +201,28 @@ void runControl::readIfModified()
 {
     const fileName file(caseDir_ / "system" / "controlDict");
     const double now = Foam::highResLastModified(file);
-    if (modifiable_ && now != stamp_)
+    if (!modifiable_ || now == stamp_)
     {
-        stamp_ = now;
+        return;
+    }
+    stamp_ = now;
+
+    // a slip in the file, or half of it, must not end a run of days
+    const runControl before(*this);
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
         readTimes(readDictionary(file));
         Info << "controlDict changed: stopAt " << stopAt_ << ", endTime "
              << endTime_ << ", writeInterval " << writeInterval_ << nl;
     }
+    catch (const IOerror& e)
+    {
+        *this = before;
+        Info << "controlDict changed, but is not taken: " << e.message().c_str()
+             << nl << "The run goes on as before" << nl;
+    }
+    FatalIOError.throwExceptions(throwing);
 }
 
 scalar runControl::step(scalar stable)

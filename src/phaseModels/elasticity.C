@@ -55,9 +55,19 @@ elasticity::elasticity(const dictionary& coeffs, const stiffnessScale& scale)
     ELimits.lowerOpen = true;
     ELimits.reason = "a stiffness is positive; write auto or a value in Pa";
 
-    const ITstream& is = coeffs.lookup("E");
+    const bool isWord = coeffs.found("E") && coeffs.lookup("E").size() == 1
+                     && coeffs.lookup("E")[0].isWord();
     const bool automatic =
-        is.size() == 1 && is[0].isWord() && is[0].wordToken() == "auto";
+        isWord && coeffs.lookup("E")[0].wordToken() == "auto";
+    if (!coeffs.found("E") || (isWord && !automatic))
+    {
+        refuse(
+            coeffs,
+            "E",
+            "E is the stiffness of the grains; write E auto; or E "
+            "[1 -1 -2 0 0 0 0] <number>; with a value in Pa"
+        );
+    }
     E_ = automatic ? automaticModulus(coeffs, scale, nu_)
                    : readNumber(coeffs, "E", dimPressure, ELimits);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "granularRheology.H"
+#include "inputCheck.H"
 
 namespace Foam
 {
@@ -11,22 +12,16 @@ defineRunTimeSelectionTable(granularRheology, dictionary);
 
 word granularRheology::nameOf(const dictionary& phase)
 {
-    const word name(phase.get<word>("rheology"));
-    if (!dictionaryConstructorTablePtr_->found(name))
-    {
-        FatalIOErrorInFunction(phase)
-            << "rheology " << name << " is not known; write one of "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
-    return name;
+    return readChoice(
+        phase, "rheology", dictionaryConstructorTablePtr_->sortedToc()
+    );
 }
 
 autoPtr<granularRheology>
 granularRheology::New(const dictionary& phase, const elasticity& elastic)
 {
-    const word name(nameOf(phase));
-    return dictionaryConstructorTablePtr_->cfind(name)()(phase, elastic);
+    return dictionaryConstructorTablePtr_->cfind(nameOf(phase)
+    )()(phase, elastic);
 }
 
 } // namespace lpf

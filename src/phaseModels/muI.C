@@ -116,11 +116,13 @@ void muI::read(const dictionary& phase)
     mu2_ = readNumber(coeffs, "mu2", dimless, friction);
     if (mu2_ < muS_)
     {
-        FatalIOErrorInFunction(coeffs)
-            << "mu2 = " << mu2_ << " is below muS = " << muS_
-            << ": friction would fall as the shear rate grows. Write mu2 >= "
-               "muS (equal: rate-independent)"
-            << exit(FatalIOError);
+        refuse(
+            coeffs,
+            "mu2",
+            "mu2 = " + Foam::name(mu2_) + " is below muS = " + Foam::name(muS_)
+                + ": friction would fall as the shear rate grows. Write mu2 >= "
+                  "muS (equal: rate-independent)"
+        );
     }
 
     bounds positive;

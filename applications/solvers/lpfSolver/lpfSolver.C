@@ -14,6 +14,7 @@ Usage        lpfSolver [-case <dir>] [-threads <N>]
 #include "argList.H"
 #include "grainRun.H"
 
+#include <cstdlib>
 #include <omp.h>
 
 using namespace Foam;
@@ -40,16 +41,17 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     if (!args.checkRootCase())
     {
-        return 1;
+        FatalError.exit();
     }
-    label threads = omp_get_max_threads();
-    if (args.readIfPresent("threads", threads))
+    if (args.found("threads"))
     {
-        if (threads < 1 || threads > 1024)
+        label threads = 0;
+        if (!readLabel(args["threads"], threads) || threads < 1
+            || threads > 1024)
         {
-            FatalErrorInFunction
-                << "-threads " << threads << ": write 1 to the number of "
-                << "cores, here " << omp_get_num_procs() << exit(FatalError);
+            FatalErrorInFunction << "-threads " << args["threads"].c_str()
+                                 << ": write 1 to the number of cores, here "
+                                 << omp_get_num_procs() << exit(FatalError);
         }
         omp_set_num_threads(threads);
     }
@@ -59,5 +61,11 @@ int main(int argc, char* argv[])
     {
         run.step();
     }
-    return run.finish();
+    const int status = run.finish();
+    if (status)
+    {
+        // the destructor of args ends the program with status 0
+        std::exit(status);
+    }
+    return 0;
 }

@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     if (!args.checkRootCase())
     {
-        return 1;
+        FatalError.exit();
     }
     const fileName caseDir = args.path();
     fileName dict = args.getOrDefault<fileName>(
