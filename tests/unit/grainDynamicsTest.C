@@ -348,10 +348,10 @@ TEST_CASE("grain dynamics: force adjoint to the velocity gradient, free")
     }
     // too few neighbours for an inverse: the limited one is adjoint, too
     randomNumbers random(32);
-    std::vector<vector> sparse;
-    for (int k = 0; k < 60; ++k)
+    std::vector<vector> sparse(60);
+    for (vector& x : sparse)
     {
-        sparse.push_back(random.inCube(0.5));
+        x = random.inCube(0.5);
     }
     testScene s(sparse);
     checkAdjoint(s, false);

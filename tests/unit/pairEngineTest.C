@@ -333,52 +333,71 @@ struct damping
     double alpha, beta;
 };
 
-//- Acceleration and viscous power
-results forcesOf(const cloud& c, const pairEngine* engine, const damping& by)
+//- Acceleration and viscous power by an engine
+results forcesBy(const pairEngine& engine, const cloud& c, const damping& by)
 {
     results all(4, c.n);
-    const bool viscous = by.alpha > 0 || by.beta > 0;
-    if (engine)
+    lpfPairs::forcePass p;
+    c.fill(p);
+    p.thickness = thickness;
+    p.V = c.V.data();
+    p.m = c.m.data();
+    p.ax = all.column(0);
+    p.ay = all.column(1);
+    p.az = all.column(2);
+    p.alpha = by.alpha;
+    p.beta = by.beta;
+    p.soundSpeed = soundSpeed;
+    p.u = c.u[0].data();
+    p.v = c.u[1].data();
+    p.w = c.u[2].data();
+    p.rho = c.rho.data();
+    p.viscousPower = all.column(3);
+    for (std::size_t k = 0; k < 9; ++k)
     {
-        lpfPairs::forcePass p;
-        c.fill(p);
-        p.thickness = thickness;
-        p.V = c.V.data();
-        p.m = c.m.data();
-        for (std::size_t k = 0; k < 9; ++k)
-        {
-            p.A[k] = c.A[k].data();
-        }
-        p.ax = all.column(0);
-        p.ay = all.column(1);
-        p.az = all.column(2);
-        if (viscous)
-        {
-            p.alpha = by.alpha;
-            p.beta = by.beta;
-            p.soundSpeed = soundSpeed;
-            p.u = c.u[0].data();
-            p.v = c.u[1].data();
-            p.w = c.u[2].data();
-            p.rho = c.rho.data();
-            p.viscousPower = all.column(3);
-            for (std::size_t k = 0; k < 9; ++k)
-            {
-                p.L[k] = c.L[k].data();
-            }
-        }
-        engine->force(p);
-        return all;
+        p.A[k] = c.A[k].data();
+        p.L[k] = c.L[k].data();
     }
-    const auto tensorAt = [](const realArrays<9>& from, int i)
+    engine.force(p);
+    return all;
+}
+
+
+tensor tensorAt(const realArrays<9>& from, int i)
+{
+    tensor t;
+    for (direction k = 0; k < 9; ++k)
     {
-        tensor t;
-        for (direction k = 0; k < 9; ++k)
-        {
-            t[k] = from[k][i];
-        }
-        return t;
-    };
+        t[k] = from[k][i];
+    }
+    return t;
+}
+
+
+//- Acceleration of i by the damping of one pair
+vector dampingOfPair(
+    const cloud& c, const damping& by, int i, int j, const Vec3& x_ij, double F
+)
+{
+    const vector v_ij = at(c.u, i) - at(c.u, j), r = toFoam(x_ij);
+    const vector w_ij =
+        v_ij - (0.5 * (tensorAt(c.L, i) + tensorAt(c.L, j)) & r);
+    const double rSqr = magSqr(x_ij), hc = h * soundSpeed,
+                 rhoMean = 0.5 * (c.rho[i] + c.rho[j]);
+    const double Pi = lpfPairs::artificialViscosity(
+                          x_ij, vec(v_ij), rSqr, by.alpha * hc, h * h, rhoMean
+                      )
+                    + lpfPairs::noiseDamping(
+                          x_ij, vec(w_ij), rSqr, by.beta * hc, h * h, rhoMean
+                    );
+    return (-c.m[j] * Pi * F / thickness) * r;
+}
+
+
+//- The same by looking at all pairs
+results forcesByPairs(const cloud& c, const damping& by)
+{
+    results all(4, c.n);
     const wendlandC2 W(h, c.dimensions);
     for (int i = 0; i < c.n; ++i)
     {
@@ -389,46 +408,28 @@ results forcesOf(const cloud& c, const pairEngine* engine, const damping& by)
             i,
             [&](int j, const Vec3& x_ij)
             {
-                const double rSqr = magSqr(x_ij), F = W.gradByDistance(rSqr);
+                const double F = W.gradByDistance(magSqr(x_ij));
                 addForce(sum, c.V[j] * F, x_ij, tens(tensorAt(c.A, j)));
-                const Vec3 v_ij = vec(at(c.u, i) - at(c.u, j));
-                const double rhoMean = 0.5 * (c.rho[i] + c.rho[j]);
-                const vector w_ij = toFoam(v_ij)
-                                  - (0.5 * (tensorAt(c.L, i) + tensorAt(c.L, j))
-                                     & toFoam(x_ij));
-                const double hc = h * soundSpeed;
-                const double Pi =
-                    lpfPairs::artificialViscosity(
-                        x_ij, v_ij, rSqr, by.alpha * hc, h * h, rhoMean
-                    )
-                    + lpfPairs::noiseDamping(
-                        x_ij, vec(w_ij), rSqr, by.beta * hc, h * h, rhoMean
-                    );
-                const vector a_ij =
-                    (-c.m[j] * Pi * F / thickness) * toFoam(x_ij);
+                const vector a_ij = dampingOfPair(c, by, i, j, x_ij, F);
                 a += a_ij;
                 // each of the two bears half of what the pair loses
-                power -= 0.5 * c.m[i] * (a_ij & toFoam(v_ij));
+                power -= 0.5 * c.m[i] * (a_ij & (at(c.u, i) - at(c.u, j)));
             }
         );
-        const vector pairs =
-            (thickness * c.V[i] / c.m[i])
-            * toFoam((tens(tensorAt(c.A, i)) & sum.gradV) + sum.other);
+        a += (thickness * c.V[i] / c.m[i])
+           * toFoam((tens(tensorAt(c.A, i)) & sum.gradV) + sum.other);
         for (direction d = 0; d < 3; ++d)
         {
-            all.column(d)[i] = pairs[d] + (viscous ? a[d] : 0);
+            all.column(d)[i] = a[d];
         }
-        all.column(3)[i] = viscous ? power : 0;
+        all.column(3)[i] = power;
     }
     return all;
 }
 
 
-//- N3 (10), D2 (6), area, friction, then the nearest element: its squared
-//  distance, plane distance, normal, and whether there is one
-results wallsOf(cloud& c, const pairEngine* engine)
+lpfPairs::wallPass wallPassOf(cloud& c)
 {
-    results all(24, c.n);
     lpfPairs::wallPass p;
     c.fill(p);
     // the ground has no images, as groundContact::present says
@@ -440,58 +441,71 @@ results wallsOf(cloud& c, const pairEngine* engine)
     p.layerDepth = dx;
     p.behind = 0.1 * dx;
     p.outOfSight = dx;
-    if (engine)
+    p.ex = c.ex[0].data();
+    p.ey = c.ex[1].data();
+    p.ez = c.ex[2].data();
+    p.nx = c.en[0].data();
+    p.ny = c.en[1].data();
+    p.nz = c.en[2].data();
+    p.area = c.area.data();
+    p.mu = c.mu.data();
+    p.slot = c.slot.data();
+    return p;
+}
+
+
+//- N3 (10), D2 (6), area, friction, then the nearest element: its squared
+//  distance, plane distance, normal, and whether there is one
+results wallsBy(const pairEngine& engine, cloud& c)
+{
+    results all(24, c.n);
+    lpfPairs::wallPass p = wallPassOf(c);
+    std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
+        engine.wallSlots(p.cells, p.elements, c.slot.data())
+    ));
+    p.sums = records.data();
+    engine.wall(p);
+    for (int i = 0; i < c.n; ++i)
     {
-        p.ex = c.ex[0].data();
-        p.ey = c.ex[1].data();
-        p.ez = c.ex[2].data();
-        p.nx = c.en[0].data();
-        p.ny = c.en[1].data();
-        p.nz = c.en[2].data();
-        p.area = c.area.data();
-        p.mu = c.mu.data();
-        p.slot = c.slot.data();
-        std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
-            engine->wallSlots(p.cells, p.elements, c.slot.data())
-        ));
-        p.sums = records.data();
-        engine->wall(p);
-        for (int i = 0; i < c.n; ++i)
+        if (c.slot[i] < 0)
         {
-            if (c.slot[i] < 0)
-            {
-                continue;
-            }
-            const auto& r = records[static_cast<std::size_t>(c.slot[i])];
-            double values[23];
-            static_assert(sizeof(values) == sizeof(r), "all of the record");
-            std::memcpy(values, &r, sizeof(r));
-            const bool found = values[18] < 4 * h * h;
-            for (std::size_t k = 0; k < 23; ++k)
-            {
-                all.column(k)[i] = k < 18 || found ? values[k] : 0;
-            }
-            all.column(23)[i] = found;
+            continue;
         }
-        return all;
+        const auto& r = records[static_cast<std::size_t>(c.slot[i])];
+        double values[23];
+        static_assert(sizeof(values) == sizeof(r), "all of the record");
+        std::memcpy(values, &r, sizeof(r));
+        const bool found = values[18] < 4 * h * h;
+        for (std::size_t k = 0; k < 23; ++k)
+        {
+            all.column(k)[i] = k < 18 || found ? values[k] : 0;
+        }
+        all.column(23)[i] = found;
     }
+    return all;
+}
+
+
+//- The same by looking at all elements
+results wallsByElements(cloud& c)
+{
+    results all(24, c.n);
+    const lpfPairs::wallPass p = wallPassOf(c);
     const wendlandC2 W(h, c.dimensions);
     for (int i = 0; i < c.n; ++i)
     {
         lpfPairs::WallSums<double> sum = {};
-        double nearest = 4 * h * h, distance = 0;
-        vector normal = Zero;
-        bool found = false;
+        double values[24] = {};
+        double nearest = 4 * h * h;
         for (int q = 0; q < c.nElements; ++q)
         {
-            const vector x = at(c.x, i) - at(c.ex, q), nq = at(c.en, q);
-            const double rSqr = magSqr(x), d = x & nq;
+            const vector x = at(c.x, i) - at(c.ex, q), n = at(c.en, q);
+            const double rSqr = magSqr(x), d = x & n;
             if (rSqr < nearest && d > -p.outOfSight)
             {
                 nearest = rSqr;
-                distance = d;
-                normal = nq;
-                found = true;
+                const double seen[6] = {rSqr, d, n.x(), n.y(), n.z(), 1};
+                std::memcpy(values + 18, seen, sizeof(seen));
             }
             if (d > -p.behind && rSqr < 4 * h * h)
             {
@@ -500,28 +514,16 @@ results wallsOf(cloud& c, const pairEngine* engine)
                     sum,
                     lpfPairs::LayerSums<double>{
                         c.area[q] * s.E, c.area[q] * s.D},
-                    vec(nq),
+                    vec(n),
                     c.mu[q]
                 );
             }
         }
-        double values[18];
-        static_assert(sizeof(values) == sizeof(sum), "all of the sums");
+        static_assert(sizeof(sum) == 18 * sizeof(double), "all of the sums");
         std::memcpy(values, &sum, sizeof(sum));
-        for (std::size_t k = 0; k < 18; ++k)
+        for (std::size_t k = 0; k < 24; ++k)
         {
             all.column(k)[i] = values[k];
-        }
-        const double rest[6] = {
-            found ? nearest : 0,
-            distance,
-            normal.x(),
-            normal.y(),
-            normal.z(),
-            double(found)};
-        for (std::size_t k = 0; k < 6; ++k)
-        {
-            all.column(18 + k)[i] = rest[k];
         }
     }
     return all;
@@ -575,11 +577,11 @@ TEST_CASE("pair engines: force of every instruction set")
                   damping{"viscosity", 0.03, 0},
                   damping{"viscosity and noise", 0.03, 0.2}})
             {
-                const results expected = forcesOf(c, nullptr, by);
+                const results expected = forcesByPairs(c, by);
                 for (const pairEngine* engine : all)
                 {
                     INFO(engine->instructionSet << ", damping: " << by.name);
-                    const results got = forcesOf(c, engine, by);
+                    const results got = forcesBy(*engine, c, by);
                     CHECK(expected.apart(got, 0, 3) < 1e-13);
                     if (by.alpha > 0)
                     {
@@ -598,11 +600,11 @@ TEST_CASE("pair engines: ground of every instruction set")
     forScenes(
         [&](cloud& c)
         {
-            const results expected = wallsOf(c, nullptr);
+            const results expected = wallsByElements(c);
             for (const pairEngine* engine : all)
             {
                 INFO(engine->instructionSet);
-                const results got = wallsOf(c, engine);
+                const results got = wallsBy(*engine, c);
                 CHECK(expected.apart(got, 0, 10) < 1e-13);
                 CHECK(expected.apart(got, 10, 16) < 1e-13);
                 CHECK(expected.apart(got, 16, 18) < 1e-13);
