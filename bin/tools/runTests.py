@@ -48,6 +48,8 @@ class Test:
         """Exit status of a command; its output goes to the open file log."""
         environment = dict(os.environ, OMP_NUM_THREADS=str(self.threads),
                            LPF_TEST_JOBS=str(JOBS), LPF_QUIET="1",
+                           # a thread that waits leaves its core to another
+                           OMP_WAIT_POLICY="passive",
                            # OpenFOAM warns where it is not the true folder
                            PWD=str(folder))
         process = subprocess.Popen(

@@ -564,6 +564,37 @@ Foam::scalar Foam::lpf::readNumber(
 }
 
 
+Foam::Pair<Foam::scalar>
+Foam::lpf::readInterval(const dictionary& dict, const word& key)
+{
+    const ITstream& is = dict.lookup(key, keyType::LITERAL);
+    if (is.size() != 4 || is[0] != token::BEGIN_LIST || !is[1].isNumber()
+        || !is[2].isNumber() || is[3] != token::END_LIST
+        || !(is[1].number() < is[2].number()))
+    {
+        lpf::refuse(
+            dict,
+            key,
+            key + " is not an interval: two coordinates, the smaller one first;"
+                + " write " + key + " (<lower> <upper>); in m"
+        );
+    }
+    return {is[1].number(), is[2].number()};
+}
+
+
+const Foam::dictionary*
+Foam::lpf::optionalDictionary(const dictionary& dict, const word& key)
+{
+    const entry* found = dict.findEntry(key, keyType::LITERAL);
+    if (found && !found->isDict())
+    {
+        lpf::refuse(dict, key, key + " is a dictionary; write " + key + " {}");
+    }
+    return found ? &found->dict() : nullptr;
+}
+
+
 Foam::vector Foam::lpf::readVector(
     const dictionary& dict, const word& key, const dimensionSet& dims
 )

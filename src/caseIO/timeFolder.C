@@ -115,3 +115,16 @@ void Foam::lpf::timeFolder::commit()
     toDisk(final_.path());
     committed_ = true;
 }
+
+
+void Foam::lpf::removeUnfinishedTimes(const fileName& caseDir)
+{
+    const word prefix(hiddenPrefix);
+    for (const fileName& dir : readDir(caseDir, fileName::DIRECTORY))
+    {
+        if (dir.startsWith(prefix))
+        {
+            rmDir(caseDir / dir, true);
+        }
+    }
+}

@@ -68,6 +68,13 @@ vector toVector(const Vec3& a)
     return vector(a.x, a.y, a.z);
 }
 
+//- A power as orderedSum takes it
+struct watts
+{
+    double sum = 0;
+    void operator+=(const watts& b) { sum += b.sum; }
+};
+
 //- planarity (I - n n)
 Tens tangential(double planarity, const Vec3& n)
 {
@@ -88,8 +95,13 @@ grainDynamics::grainDynamics(
     groundContact& contact
 )
     : engine_(engine), scene_(scene), scheme_(scheme), rheology_(rheology),
-      contact_(contact), lattice_(scene.h, scene.cyclic)
+      contact_(contact), lattice_(scene.h, scene.cyclic), acrossPlane_{}
 {
+    if (scene_.dimensions == 2)
+    {
+        const vector& e = scene_.planeNormal;
+        acrossPlane_ = dyad(1.0, Vec3{e.x(), e.y(), e.z()});
+    }
 }
 
 void grainDynamics::densityFromPressure()
@@ -223,11 +235,7 @@ void grainDynamics::gradient()
             {
                 const Tens R = tensorAt(grains.L, i);
                 Symm M = symmAt(grains.B, i);
-                if (scene_.dimensions == 2)
-                {
-                    const vector& e = scene_.planeNormal;
-                    M += dyad(1.0, Vec3{e.x(), e.y(), e.z()});
-                }
+                M += acrossPlane_;
                 if (slot_[i] >= 0)
                 {
                     gradientNearGround(i, R, M);
@@ -302,12 +310,6 @@ double grainDynamics::dampingPressure(int i) const
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
-    struct watts
-    {
-        double sum = 0;
-        void operator+=(const watts& b) { sum += b.sum; }
-    };
-
     dampingPower_ =
         orderedSum<watts>(
             grains.size(),
@@ -437,6 +439,13 @@ void grainDynamics::rates(scalar dt, scalar time)
     }
     stressMoment();
     engine_.force(forcePass());
+    if (scheme_.viscous())
+    {
+        viscousPowerSum_ =
+            orderedSum<watts>(
+                grains.size(), [&](int i) { return watts{viscousPower_[i]}; }
+            ).sum;
+    }
     addGroundAndGravity();
 }
 
@@ -447,7 +456,7 @@ namespace
 struct kickSums
 {
     vector gravity = Zero, wall = Zero, friction = Zero;
-    scalar wallNormal = 0, frictionEnergy = 0, tension = 0, viscous = 0;
+    scalar wallNormal = 0, frictionEnergy = 0, tension = 0;
 
     void operator+=(const kickSums& b)
     {
@@ -457,7 +466,6 @@ struct kickSums
         wallNormal += b.wallNormal;
         frictionEnergy += b.frictionEnergy;
         tension += b.tension;
-        viscous += b.viscous;
     }
 };
 
@@ -474,8 +482,6 @@ vector afterFriction(const vector& U, const vector& n, scalar mostChange)
 
 void grainDynamics::kick(scalar dt)
 {
-    const bool viscous = scheme_.viscous();
-
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)
@@ -485,7 +491,6 @@ void grainDynamics::kick(scalar dt)
             const vector before = at(grains.U, i);
             vector U = before + at(grains.a, i) * dt;
             s.gravity = m * dt * scene_.g;
-            s.viscous = viscous ? viscousPower_[i] * dt : 0;
 
             if (slot_[i] >= 0)
             {
@@ -520,7 +525,7 @@ void grainDynamics::kick(scalar dt)
     ledger.frictionImpulse += sums.friction;
     ledger.friction += sums.frictionEnergy;
     ledger.wallTension += sums.tension;
-    ledger.viscous += sums.viscous + dampingPower_ * dt;
+    ledger.viscous += (viscousPowerSum_ + dampingPower_) * dt;
 }
 
 namespace
@@ -548,6 +553,26 @@ vector wrapShift(const vector& x, const cyclicBox& box)
 }
 
 } // namespace
+
+void grainDynamics::wrapCyclic()
+{
+    struct joules
+    {
+        scalar sum = 0;
+        void operator+=(const joules& b) { sum += b.sum; }
+    };
+    ledger.wrapped +=
+        orderedSum<joules>(
+            grains.size(),
+            [&](int i)
+            {
+                const point x = at(grains.x, i);
+                const vector shift = wrapShift(x, scene_.cyclic);
+                set(grains.x, i, x + shift);
+                return joules{-grains.mass[i] * (scene_.g & shift)};
+            }
+        ).sum;
+}
 
 bool grainDynamics::mayTouchGround(int i, const vector& step) const
 {
@@ -608,9 +633,7 @@ void grainDynamics::drift(scalar dt, scalar time)
                 touches = setBack(m, x, U, s);
             }
 
-            const vector shift = wrapShift(x, scene_.cyclic);
-            s.wrapped = -m * (scene_.g & shift);
-            set(grains.x, i, x + shift);
+            set(grains.x, i, x);
             set(grains.U, i, U);
             return s;
         }
@@ -621,8 +644,11 @@ void grainDynamics::drift(scalar dt, scalar time)
     ledger.projection += sums.energy;
     ledger.frictionImpulse += sums.friction;
     ledger.friction += sums.frictionEnergy;
-    ledger.wrapped += sums.wrapped;
 
+    if (cmptMax(scene_.cyclic.period) > 0)
+    {
+        wrapCyclic();
+    }
     removeLeavers(time + dt);
 }
 

@@ -9,6 +9,8 @@
 
 #include <omp.h>
 
+#include <stdexcept>
+
 namespace Foam
 {
 namespace lpf
@@ -20,38 +22,25 @@ namespace
 //- Grains that leave this far above the ground are taken out, times the extent
 constexpr scalar headroom = 0.5;
 
-//- The entry `y (-1 1);`
-FixedList<scalar, 2> readEnds(const dictionary& cyclic, const word& axis)
-{
-    const ITstream& is = cyclic.lookup(axis);
-    if (is.size() != 4 || is[0] != token::BEGIN_LIST || !is[1].isNumber()
-        || !is[2].isNumber() || is[3] != token::END_LIST
-        || !(is[1].number() < is[2].number()))
-    {
-        refuse(
-            cyclic,
-            axis,
-            "A cyclic pair is two coordinates, the smaller one first; write "
-                + axis + " (<lower> <upper>); in m"
-        );
-    }
-    return {is[1].number(), is[2].number()};
-}
-
 cyclicBox
 readCyclic(const dictionary& dict, const point& origin, const scalar h)
 {
     cyclicBox box;
-    const dictionary& cyclic = dict.subOrEmptyDict("cyclic");
+    const dictionary* pairs = optionalDictionary(dict, "cyclic");
+    if (!pairs)
+    {
+        return box;
+    }
+    const dictionary& cyclic = *pairs;
     allowOnly(cyclic, {"x", "y", "z"});
     const word axes[3] = {"x", "y", "z"};
     for (direction d = 0; d < 3; ++d)
     {
         if (cyclic.found(axes[d]))
         {
-            const FixedList<scalar, 2> ends = readEnds(cyclic, axes[d]);
-            box.lower[d] = ends[0] - origin[d];
-            box.period[d] = ends[1] - ends[0];
+            const Pair<scalar> ends = readInterval(cyclic, axes[d]);
+            box.lower[d] = ends.first() - origin[d];
+            box.period[d] = ends.second() - ends.first();
             if (box.period[d] < 2 * h)
             {
                 refuse(
@@ -78,6 +67,19 @@ prepared(const dictionary& release, const word& key, const dimensionSet& dims)
     limits.lowerOpen = key != "maxSpeed" && key != "releaseHeight";
     limits.reason = "terrainToParticles writes it; run it again";
     return readNumber(release, key, dims, limits);
+}
+
+const lpfPairs::pairEngine& engineNamed(const word& instructionSet)
+{
+    try
+    {
+        return lpfPairs::loadPairEngine(instructionSet);
+    }
+    catch (const std::runtime_error& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+        throw;
+    }
 }
 
 //- A sub-dictionary that must be there
@@ -183,6 +185,7 @@ grainRun::grainRun(const fileName& caseDir)
     readScene(boundary);
     makeModels(boundary, isa);
     readState();
+    removeUnfinishedTimes(caseDir);
     openSeries();
     runControl::catchSignals();
     began_ = lastLog_ = wallClock::now();
@@ -324,7 +327,7 @@ void grainRun::makeModels(const dictionary& boundaryProperties, const word& isa)
         scene_.dimensions == 2 ? scene_.planeThickness : 0,
         scene_.planeNormal
     ));
-    const lpfPairs::pairEngine& engine = loadPairEngine(isa);
+    const lpfPairs::pairEngine& engine = engineNamed(isa);
     dynamics_.reset(
         new grainDynamics(engine, scene_, scheme_, *rheology_, *contact_)
     );

@@ -118,20 +118,38 @@ LPF_ONE_BODY void kinematicsOfParticle(
     store({total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
 }
 
+//- particleTask(runs around it, i) for every particle that has any in `others`
+template<class Task>
+void forParticles(
+    const cellGrid& cells, const cellGrid& others, const Task& particleTask
+)
+{
+    forCells(
+        cells,
+        [&](int begin, int end, long cx, long cy, long cz)
+        {
+            const runs around = runsAround(others, cx, cy, cz);
+            if (around.count == 0)
+            {
+                return;
+            }
+            for (int i = begin; i < end; ++i)
+            {
+                particleTask(around, i);
+            }
+        }
+    );
+}
+
 void kinematics(const kinematicsPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
 
-    forCells(
+    forParticles(
         p.cells,
-        [&](int begin, int end, long cx, long cy, long cz)
-        {
-            const runs around = runsAround(p.cells, cx, cy, cz);
-            for (int i = begin; i < end; ++i)
-            {
-                kinematicsOfParticle(p, W, around, i);
-            }
-        }
+        p.cells,
+        [&](const runs& around, int i)
+        { kinematicsOfParticle(p, W, around, i); }
     );
 }
 
@@ -245,16 +263,11 @@ void force(const forcePass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
 
-    forCells(
+    forParticles(
         p.cells,
-        [&](int begin, int end, long cx, long cy, long cz)
-        {
-            const runs around = runsAround(p.cells, cx, cy, cz);
-            for (int i = begin; i < end; ++i)
-            {
-                forceOnParticle<kind>(p, W, around, i);
-            }
-        }
+        p.cells,
+        [&](const runs& around, int i)
+        { forceOnParticle<kind>(p, W, around, i); }
     );
 }
 
@@ -367,20 +380,10 @@ void wall(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
 
-    forCells(
+    forParticles(
         p.cells,
-        [&](int begin, int end, long cx, long cy, long cz)
-        {
-            if (p.slot[begin] < 0)
-            {
-                return;
-            }
-            const runs around = runsAround(p.elements, cx, cy, cz);
-            for (int i = begin; i < end; ++i)
-            {
-                wallOfParticle(p, W, around, i);
-            }
-        }
+        p.elements,
+        [&](const runs& around, int i) { wallOfParticle(p, W, around, i); }
     );
 }
 

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runEstimate.H"
 
+#include "engineLoader.H"
+
+#include <omp.h>
+
+#include <array>
+#include <chrono>
+#include <vector>
+
 namespace Foam
 {
 namespace lpf
@@ -19,8 +27,84 @@ constexpr scalar courant = 0.3;
 // as the flume printed
 constexpr scalar bytesPerParticle = 700;
 
-// Speed of the solver, two cores
-constexpr scalar particleStepsPerSecond = 1.5e6;
+// Time of a whole step over that of its kinematics pass, in the middle of a
+// flow (tests/benchmarks/stepShare prints it)
+constexpr scalar stepOverPass = 4.5;
+
+//- Grains on a lattice, in the order of their cells
+struct probe
+{
+    static constexpr int cells = 12, perEdge = 3;
+    std::vector<int> start;
+    std::array<std::vector<double>, 7> in; // x y z u v w V
+    std::array<std::vector<double>, 15> out;
+
+    probe()
+    {
+        start.push_back(0);
+        for (int c = 0; c < cells * cells * cells; ++c)
+        {
+            fill(c % cells, c / cells % cells, c / (cells * cells));
+            start.push_back(int(in[0].size()));
+        }
+        for (auto& a : in)
+        {
+            a.resize(a.size() + lpfPairs::padding, 0.0);
+        }
+        for (auto& a : out)
+        {
+            a.resize(in[0].size());
+        }
+    }
+
+    // 18 points a cell of edge 2h = 2.6 dx, as in a bed
+    void fill(int x, int y, int z)
+    {
+        for (int k = 0; k < perEdge * perEdge * (perEdge - 1); ++k)
+        {
+            const double at[7] = {
+                x + (k % perEdge + 0.5) / perEdge,
+                y + (k / perEdge % perEdge + 0.5) / perEdge,
+                z + (k / (perEdge * perEdge) + 0.5) / (perEdge - 1),
+                0.01 * y,
+                0.01 * z,
+                0.01 * x,
+                1.0 / (perEdge * perEdge * (perEdge - 1))};
+            for (std::size_t c = 0; c < 7; ++c)
+            {
+                in[c].push_back(at[c]);
+            }
+        }
+    }
+
+    lpfPairs::kinematicsPass pass()
+    {
+        lpfPairs::kinematicsPass p = {};
+        p.cells = {
+            {1, 1, 1},
+            {0, 0, 0},
+            {0, 0, 0},
+            {0, 0, 0},
+            {cells, cells, cells},
+            start.data()};
+        p.h = 0.5;
+        p.dimensions = 3;
+        const double** arrays[7] = {&p.x, &p.y, &p.z, &p.u, &p.v, &p.w, &p.V};
+        for (std::size_t c = 0; c < 7; ++c)
+        {
+            *arrays[c] = in[c].data();
+        }
+        for (std::size_t c = 0; c < 9; ++c)
+        {
+            p.R[c] = out[c].data();
+        }
+        for (std::size_t c = 0; c < 6; ++c)
+        {
+            p.M[c] = out[9 + c].data();
+        }
+        return p;
+    }
+};
 
 } // namespace
 
@@ -37,9 +121,29 @@ runEstimate estimateRun(const runSize& size)
         * max(run.maxSpeed / 2, Foam::sqrt(size.g * size.releaseHeight));
     run.timeStep = courant * size.smoothingLength / run.waveSpeed;
     run.steps = size.endTime / run.timeStep;
-    run.wallTime = run.steps * size.particles / particleStepsPerSecond;
     run.memory = size.particles * bytesPerParticle;
     return run;
+}
+
+solverSpeed measureSolver()
+{
+    using clock = std::chrono::steady_clock;
+    constexpr int repeats = 5;
+    const lpfPairs::pairEngine& engine = lpfPairs::loadPairEngine("auto");
+    probe sample;
+    const lpfPairs::kinematicsPass pass = sample.pass();
+
+    double best = GREAT;
+    for (int k = 0; k < repeats; ++k)
+    {
+        const auto began = clock::now();
+        engine.kinematics(pass);
+        const std::chrono::duration<double> t = clock::now() - began;
+        best = std::min(best, t.count());
+    }
+    return {
+        scalar(sample.start.back()) / (best * stepOverPass),
+        label(omp_get_max_threads())};
 }
 
 } // namespace lpf

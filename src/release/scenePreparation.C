@@ -100,7 +100,8 @@ void scenePreparation::readMaterial()
 
 void scenePreparation::readBoundaries()
 {
-    if (const dictionary* plane = boundaries_.findDict("planeStrain"))
+    if (const dictionary* plane =
+            optionalDictionary(boundaries_, "planeStrain"))
     {
         allowOnly(*plane, {"normal", "thickness"});
         planeNormal_ = readVector(*plane, "normal", dimless);
@@ -116,7 +117,7 @@ void scenePreparation::readBoundaries()
              "masses and forces are those of a slice that thick, e.g. 1 m"}
         );
     }
-    const dictionary* pairs = boundaries_.findDict("cyclic");
+    const dictionary* pairs = optionalDictionary(boundaries_, "cyclic");
     if (!pairs)
     {
         return;
@@ -126,17 +127,10 @@ void scenePreparation::readBoundaries()
     {
         if (pairs->found(key))
         {
-            const auto ends = pairs->get<FixedList<scalar, 2>>(key);
-            cyclic_.append({direction(key == "x" ? 0 : 1), ends[0], ends[1]});
-            if (!(ends[0] < ends[1]))
-            {
-                refuse(
-                    *pairs,
-                    key,
-                    "A cyclic pair is two coordinates, the smaller one first,"
-                    " e.g. x (0 1)."
-                );
-            }
+            const Pair<scalar> ends = readInterval(*pairs, key);
+            cyclic_.append(
+                {direction(key == "x" ? 0 : 1), ends.first(), ends.second()}
+            );
         }
     }
 }
@@ -333,6 +327,19 @@ void scenePreparation::checkCyclic() const
 {
     for (const cyclicPair& pair : cyclic_)
     {
+        const scalar support = 2 * smoothingRatio * grid_.spacing;
+        if (pair.to - pair.from < support)
+        {
+            refuse(
+                boundaries_.subDict("cyclic"),
+                pair.axis == 0 ? "x" : "y",
+                "The period of " + Foam::name(pair.to - pair.from)
+                    + " m is shorter than the support of the kernel, "
+                    + Foam::name(support)
+                    + " m: a grain would be its own neighbour. Write a longer "
+                      "period or take a smaller spacing"
+            );
+        }
         const scalar n = (pair.to - pair.from) / grid_.spacing;
         if (mag(n - std::round(n)) > typed * n)
         {
@@ -482,13 +489,37 @@ void scenePreparation::fillReleases()
 }
 
 
+void scenePreparation::warnBeyond(const boundBox& box) const
+{
+    label beyond = 0;
+    for (const point& x : cloud_.positions)
+    {
+        beyond += x.x() < box.min().x() || x.x() > box.max().x()
+               || (planeThickness_ <= 0
+                   && (x.y() < box.min().y() || x.y() > box.max().y()));
+    }
+    if (beyond > 0)
+    {
+        WarningInFunction
+            << beyond << " particles of the release stand beyond the ground,"
+            << " which ends at x " << box.min().x() + ground_->origin().x()
+            << " to " << box.max().x() + ground_->origin().x() << ", y "
+            << box.min().y() + ground_->origin().y() << " to "
+            << box.max().y() + ground_->origin().y() << " m. They will fall"
+            << " and be booked as left. Enlarge the ground if that is not meant"
+            << endl;
+    }
+}
+
+
 void scenePreparation::checkBorder() const
 {
+    const boundBox box = ground_->bounds();
     if (pieces_.rasters.empty())
     {
+        warnBeyond(box);
         return;
     }
-    const boundBox box = ground_->bounds();
     const scalar margin = 2 * smoothingRatio * grid_.spacing;
     for (const point& x : cloud_.positions)
     {

@@ -179,8 +179,13 @@ void scenePreparation::report() const
     {
         Info << "    steps           " << run.steps << " to endTime "
              << endTime_ << " s" << nl << "    wall time       ";
-        printDuration(run.wallTime);
-        Info << " on two cores" << nl;
+        const solverSpeed solver = measureSolver();
+        printDuration(
+            run.steps * cloud_.size() / solver.particleStepsPerSecond
+        );
+        Info << " with " << solver.threads << " threads at "
+             << solver.particleStepsPerSecond
+             << " particle-steps/s, measured now on this machine" << nl;
     }
     Info << nl;
     warnOfOldTimes();

@@ -201,9 +201,13 @@ struct elementRequest
 
 
 // Halve across the longest edge until no edge is longer than spacing. nA is
-// halved with it, so that the sum over the elements is nA to the last bit
+// halved with it, so that the sum over the elements is nA to the last bit.
+// Of equally long edges the oldest (age 0: edges of the whole triangle), not
+// the first: the corners of a mirror image turn the other way round, and it
+// must have the mirrored elements
 void bisect(
     const corners& t,
+    const FixedList<label, 3>& age,
     const vector& nA,
     const elementRequest& request,
     surfaceElements& elements
@@ -232,15 +236,31 @@ void bisect(
         }
         return;
     }
-    label i = 0;
-    while (edge[i] < longest * (1 - 1e-9))
+    label i = -1;
+    for (label e = 0; e < 3; ++e)
     {
-        ++i;
+        if (edge[e] >= longest * (1 - 1e-9) && (i < 0 || age[e] < age[i]))
+        {
+            i = e;
+        }
     }
-    const point &a = t[i], &b = t[(i + 1) % 3], &c = t[(i + 2) % 3];
-    const point m = 0.5 * (a + b);
-    bisect(corners{a, m, c}, 0.5 * nA, request, elements);
-    bisect(corners{m, b, c}, 0.5 * nA, request, elements);
+    const label j = (i + 1) % 3, k = (i + 2) % 3;
+    const label cut = max(age[0], max(age[1], age[2])) + 1;
+    const point m = 0.5 * (t[i] + t[j]);
+    bisect(
+        corners{t[i], m, t[k]},
+        FixedList<label, 3>{age[i], cut, age[k]},
+        0.5 * nA,
+        request,
+        elements
+    );
+    bisect(
+        corners{m, t[j], t[k]},
+        FixedList<label, 3>{age[i], age[j], cut},
+        0.5 * nA,
+        request,
+        elements
+    );
 }
 
 } // namespace
@@ -254,7 +274,13 @@ void appendElements(
     surfaceElements& elements
 )
 {
-    bisect(t, 0.5 * areaVector(t), {zone, sqr(spacing), within}, elements);
+    bisect(
+        t,
+        FixedList<label, 3>(label(0)),
+        0.5 * areaVector(t),
+        {zone, sqr(spacing), within},
+        elements
+    );
 }
 
 } // namespace lpf

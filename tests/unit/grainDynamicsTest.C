@@ -78,7 +78,7 @@ const lpfPairs::pairEngine* counted = nullptr;
 
 lpfPairs::pairEngine countingEngine()
 {
-    counted = &loadPairEngine("auto");
+    counted = &lpfPairs::loadPairEngine("auto");
     passes = {};
     lpfPairs::pairEngine e = *counted;
     e.kinematics = [](const lpfPairs::kinematicsPass& p)

@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     if (!args.checkRootCase())
     {
-        return 1;
+        FatalError.exit(); // argList ends with status 0 after a return
     }
     // Without controlDict: only the times are needed, not what else it says
     Time runTime(
