@@ -15,6 +15,7 @@
 
 using namespace Foam;
 using namespace Foam::lpf;
+using lpfPairs::loadPairEngine;
 using lpfPairs::pairEngine;
 using lpfPairs::wendlandC2;
 
