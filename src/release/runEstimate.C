@@ -28,8 +28,8 @@ constexpr scalar courant = 0.3;
 constexpr scalar bytesPerParticle = 700;
 
 // Time of a whole step over that of its kinematics pass, in the middle of a
-// flow (tests/benchmarks/stepShare prints it)
-constexpr scalar stepOverPass = 4.5;
+// flow (tests/cases/benchmark/estimate measures it)
+constexpr scalar stepOverPass = 8;
 
 //- Grains on a lattice, in the order of their cells
 struct probe
