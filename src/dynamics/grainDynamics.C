@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grainDynamics.H"
 
+#include "coulomb.H"
 #include "momentInverse.H"
 #include "pairTerms.H"
 
@@ -16,9 +17,7 @@ using Vec3 = lpfPairs::Vec<double>;
 using Tens = lpfPairs::Tensor<double>;
 using Symm = lpfPairs::SymmTensor<double>;
 using lpfPairs::orderedSum;
-
-//- A grain may come this near to the ground, as a share of the spacing
-constexpr scalar contactShare = 0.1;
+using lpfPairs::sumOf;
 
 Vec3 vecAt(const realArrays<3>& a, int i)
 {
@@ -68,13 +67,6 @@ vector toVector(const Vec3& a)
     return vector(a.x, a.y, a.z);
 }
 
-//- A power as orderedSum takes it
-struct watts
-{
-    double sum = 0;
-    void operator+=(const watts& b) { sum += b.sum; }
-};
-
 //- planarity (I - n n)
 Tens tangential(double planarity, const Vec3& n)
 {
@@ -92,16 +84,12 @@ grainDynamics::grainDynamics(
     const sceneProperties& scene,
     const schemeProperties& scheme,
     const granularRheology& rheology,
-    groundContact& contact
+    groundContact& contact,
+    bool wet
 )
-    : engine_(engine), scene_(scene), scheme_(scheme), rheology_(rheology),
-      contact_(contact), lattice_(scene.h, scene.cyclic), acrossPlane_{}
+    : phaseDynamics(engine, scene, contact, grains), scheme_(scheme),
+      rheology_(rheology), wet_(wet), grains(wet)
 {
-    if (scene_.dimensions == 2)
-    {
-        const vector& e = scene_.planeNormal;
-        acrossPlane_ = dyad(1.0, Vec3{e.x(), e.y(), e.z()});
-    }
 }
 
 void grainDynamics::densityFromPressure()
@@ -112,17 +100,6 @@ void grainDynamics::densityFromPressure()
             -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
         grains.rho[i] =
             grains.rhoRef[i] * (1 + p / rheology_.elastic().K()); // (T 3.4)
-    }
-}
-
-void grainDynamics::sort()
-{
-    const int n = grains.size();
-    order_.resize(n);
-    lattice_.sort(grains.x, n, order_, cells_);
-    if (cells_.moved)
-    {
-        grains.permute(order_);
     }
 }
 
@@ -150,31 +127,6 @@ lpfPairs::kinematicsPass grainDynamics::kinematicsPass() const
     p.v = grains.U[1].data();
     p.w = grains.U[2].data();
     p.V = grains.V.data();
-    return p;
-}
-
-lpfPairs::wallPass grainDynamics::wallPass()
-{
-    const int n = grains.size();
-    slot_.resize(n);
-
-    lpfPairs::wallPass p = {};
-    p.cells = cells_.grid;
-    contact_.present(p);
-    nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
-    walls_.resize(static_cast<std::size_t>(nSlots_));
-    near_.resize(static_cast<std::size_t>(nSlots_));
-
-    p.h = scene_.h;
-    p.dimensions = scene_.dimensions;
-    p.layerDepth = scene_.spacing;
-    p.behind = contactShare * scene_.spacing;
-    p.outOfSight = scene_.spacing;
-    p.x = grains.x[0].data();
-    p.y = grains.x[1].data();
-    p.z = grains.x[2].data();
-    p.slot = slot_.data();
-    p.sums = walls_.data();
     return p;
 }
 
@@ -310,18 +262,18 @@ double grainDynamics::dampingPressure(int i) const
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
-    dampingPower_ =
-        orderedSum<watts>(
-            grains.size(),
-            [&](int i)
-            {
-                const double trL =
-                    grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
-                const double q = dampingPressure(i);
-                stressMomentOf(i, q);
-                return watts{-q * trL * grains.V[i] * scene_.planeThickness};
-            }
-        ).sum;
+    dampingPower_ = orderedSum<sumOf<double>>(
+                        grains.size(),
+                        [&](int i)
+                        {
+                            const double trL = grains.L[0][i] + grains.L[4][i]
+                                             + grains.L[8][i];
+                            const double q = dampingPressure(i);
+                            stressMomentOf(i, q);
+                            return sumOf<double>{
+                                -q * trL * grains.V[i] * scene_.planeThickness};
+                        }
+    ).value;
     for (auto& component : grains.L)
     {
         component.pad(grains.size(), 0);
@@ -412,7 +364,8 @@ void grainDynamics::rates(scalar dt, scalar time)
         k.M[c] = grains.B[c].data();
     }
     engine_.kinematics(k);
-    engine_.wall(wallPass());
+    seeGround(wet_);
+    near_.resize(walls_.size());
     gradient();
 
     grainArrays arrays = {};
@@ -442,9 +395,10 @@ void grainDynamics::rates(scalar dt, scalar time)
     if (scheme_.viscous())
     {
         viscousPowerSum_ =
-            orderedSum<watts>(
-                grains.size(), [&](int i) { return watts{viscousPower_[i]}; }
-            ).sum;
+            orderedSum<sumOf<double>>(
+                grains.size(),
+                [&](int i) { return sumOf<double>{viscousPower_[i]}; }
+            ).value;
     }
     addGroundAndGravity();
 }
@@ -468,15 +422,6 @@ struct kickSums
         tension += b.tension;
     }
 };
-
-//- Coulomb friction by an impulse of at most mu N dt against the sliding, it
-//  stops a grain but never turns it                                  (T 4.6)
-vector afterFriction(const vector& U, const vector& n, scalar mostChange)
-{
-    const vector slip = U - (U & n) * n;
-    const scalar speed = mag(slip);
-    return speed > 0 ? vector(U - slip * (min(mostChange, speed) / speed)) : U;
-}
 
 } // namespace
 
@@ -525,131 +470,7 @@ void grainDynamics::kick(scalar dt)
     ledger.frictionImpulse += sums.friction;
     ledger.friction += sums.frictionEnergy;
     ledger.wallTension += sums.tension;
-    ledger.viscous += (viscousPowerSum_ + dampingPower_) * dt;
-}
-
-namespace
-{
-
-//- Shift that brings x back into the cyclic box
-vector wrapShift(const vector& x, const cyclicBox& box)
-{
-    vector shift(Zero);
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (box.period[d] > 0)
-        {
-            if (x[d] < box.lower[d])
-            {
-                shift[d] = box.period[d];
-            }
-            else if (x[d] >= box.lower[d] + box.period[d])
-            {
-                shift[d] = -box.period[d];
-            }
-        }
-    }
-    return shift;
-}
-
-} // namespace
-
-void grainDynamics::wrapCyclic()
-{
-    struct joules
-    {
-        scalar sum = 0;
-        void operator+=(const joules& b) { sum += b.sum; }
-    };
-    ledger.wrapped +=
-        orderedSum<joules>(
-            grains.size(),
-            [&](int i)
-            {
-                const point x = at(grains.x, i);
-                const vector shift = wrapShift(x, scene_.cyclic);
-                set(grains.x, i, x + shift);
-                return joules{-grains.mass[i] * (scene_.g & shift)};
-            }
-        ).sum;
-}
-
-bool grainDynamics::mayTouchGround(int i, const vector& step) const
-{
-    if (slot_[i] < 0)
-    {
-        return false;
-    }
-    const lpfPairs::wallRecord& wall =
-        walls_[static_cast<std::size_t>(slot_[i])];
-    const vector n(wall.normal[0], wall.normal[1], wall.normal[2]);
-    return wall.distance + (n & step) < contactShare * scene_.spacing;
-}
-
-// A grain that would come nearer to the ground than a tenth of the spacing is
-// set back and loses its approach, with friction on that impulse  (T 4.7)
-bool grainDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
-{
-    const scalar closest = contactShare * scene_.spacing;
-    const groundHit hit = contact_.signedDistance(x, scene_.spacing);
-    if (!hit.found || hit.distance >= closest)
-    {
-        return false;
-    }
-    const vector before = U;
-    const vector move = (closest - hit.distance) * hit.normal;
-    const scalar approach = max(scalar(0), -(U & hit.normal));
-    const vector stopped = U + approach * hit.normal;
-    x += move;
-    U = afterFriction(
-        stopped, hit.normal, contact_.effectiveFriction(hit.zone) * approach
-    );
-    s.impulse += m * approach * hit.normal;
-    s.normal += m * approach;
-    s.friction += m * (U - stopped);
-    s.energy +=
-        0.5 * m * (magSqr(before) - magSqr(stopped)) + m * (scene_.g & move);
-    s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
-    return true;
-}
-
-void grainDynamics::drift(scalar dt, scalar time)
-{
-    constexpr int corners = 4; // a corner of three planes needs three
-
-    const driftSums sums = orderedSum<driftSums>(
-        grains.size(),
-        [&](int i)
-        {
-            driftSums s;
-            const scalar m = grains.mass[i];
-            vector U = at(grains.U, i);
-            const vector step = U * dt;
-            vector x = at(grains.x, i) + step;
-
-            bool touches = mayTouchGround(i, step);
-            for (int k = 0; touches && k < corners; ++k)
-            {
-                touches = setBack(m, x, U, s);
-            }
-
-            set(grains.x, i, x);
-            set(grains.U, i, U);
-            return s;
-        }
-    );
-
-    ledger.projectionImpulse += sums.impulse;
-    ledger.projectionNormalImpulse += sums.normal;
-    ledger.projection += sums.energy;
-    ledger.frictionImpulse += sums.friction;
-    ledger.friction += sums.frictionEnergy;
-
-    if (cmptMax(scene_.cyclic.period) > 0)
-    {
-        wrapCyclic();
-    }
-    removeLeavers(time + dt);
+    ledger.artificial += (viscousPowerSum_ + dampingPower_) * dt;
 }
 
 namespace
@@ -668,94 +489,21 @@ grainPoint pointAt(const grainStore& grains, int i)
 
 } // namespace
 
-void grainDynamics::removeLeavers(scalar time)
-{
-    const int n = grains.size();
-    int kept = 0;
-    indexArray order;
-
-    for (int i = 0; i < n; ++i)
-    {
-        const point x = at(grains.x, i);
-        if (scene_.domain.contains(x))
-        {
-            if (kept < i)
-            {
-                order[kept] = i;
-            }
-            ++kept;
-            continue;
-        }
-        if (kept == i)
-        {
-            order.resize(n);
-            for (int k = 0; k < i; ++k)
-            {
-                order[k] = k;
-            }
-        }
-        const scalar m = grains.mass[i];
-        const vector U = at(grains.U, i);
-        ledger.leavers.push_back({time, grains.id[i], x, U, m});
-        ledger.leftMass.add(m);
-        ledger.leftMomentum += m * U;
-        ledger.left += 0.5 * m * magSqr(U) - m * (scene_.g & x)
-                     + rheology_.storedEnergy(pointAt(grains, i));
-    }
-    if (kept < n)
-    {
-        for (int k = kept; k < n; ++k)
-        {
-            order[k] = kept > 0 ? order[kept - 1] : 0;
-        }
-        grains.permute(order);
-        grains.truncate(kept);
-    }
-}
-
 timeStepLimit grainDynamics::stableDeltaT() const
 {
-    const scalar speed = maxSpeed();
-    const scalar acceleration = sqrt(lpfPairs::largest(
-        grains.size(), [&](int i) { return magSqr(at(grains.a, i)); }
-    ));
-
+    const scalar acceleration = maxAcceleration();
     timeStepLimit limit = {
-        scheme_.CFL * scene_.h / (rheology_.elastic().c() + speed), "elastic"};
-    const auto take = [&](scalar deltaT, const char* rule)
-    {
-        if (deltaT < limit.deltaT)
-        {
-            limit = {deltaT, rule};
-        }
-    };
+        scheme_.CFL * scene_.h / (rheology_.elastic().c() + maxSpeed()),
+        "elastic"};
     if (acceleration > 0)
     {
-        take(0.25 * sqrt(scene_.h / acceleration), "force");
+        limit.take({0.25 * sqrt(scene_.h / acceleration), "force"});
     }
     if (rates_.maxStrainRate > 0)
     {
-        take(0.2 / rates_.maxStrainRate, "strain");
+        limit.take({0.2 / rates_.maxStrainRate, "strain"});
     }
     return limit;
-}
-
-energyState grainDynamics::energy() const
-{
-    return orderedSum<energyState>(
-        grains.size(),
-        [&](int i)
-        {
-            const scalar m = grains.mass[i];
-            const vector U = at(grains.U, i);
-            energyState e;
-            e.kinetic = 0.5 * m * magSqr(U);
-            e.potential = -m * (scene_.g & at(grains.x, i));
-            e.elastic = rheology_.storedEnergy(pointAt(grains, i));
-            e.momentum = m * U;
-            return e;
-        }
-    );
 }
 
 vector grainDynamics::wallForceSum() const
@@ -771,52 +519,20 @@ vector grainDynamics::wallForceSum() const
     return total;
 }
 
-lpfPairs::exactSum grainDynamics::mass() const
+scalar grainDynamics::groundFriction(label zone) const
 {
-    lpfPairs::exactSum total;
-    for (int i = 0; i < grains.size(); ++i)
-    {
-        total.add(grains.mass[i]);
-    }
-    return total;
+    return contact_.effectiveFriction(zone);
 }
 
-scalar grainDynamics::maxSpeed() const
+scalar grainDynamics::storedEnergy(int i) const
 {
-    return sqrt(lpfPairs::largest(
-        grains.size(), [&](int i) { return magSqr(at(grains.U, i)); }
-    ));
-}
-
-scalar grainDynamics::movingMassShare(scalar threshold) const
-{
-    struct shares
-    {
-        scalar moving = 0, all = 0;
-        void operator+=(const shares& b)
-        {
-            moving += b.moving;
-            all += b.all;
-        }
-    };
-    const shares s = orderedSum<shares>(
-        grains.size(),
-        [&](int i)
-        {
-            const bool moves = magSqr(at(grains.U, i)) > sqr(threshold);
-            return shares{moves ? grains.mass[i] : 0, grains.mass[i]};
-        }
-    );
-    return s.all > 0 ? s.moving / s.all : 0;
+    return rheology_.storedEnergy(pointAt(grains, i));
 }
 
 std::size_t grainDynamics::bytes() const
 {
-    return grains.bytes() + order_.bytes() + slot_.bytes()
-         + walls_.capacity() * sizeof(lpfPairs::wallRecord)
-         + near_.capacity() * sizeof(nearWall)
-         + cells_.start.capacity() * sizeof(int) + viscousPower_.bytes()
-         + 9 * flow_[0].bytes();
+    return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
+         + viscousPower_.bytes() + lpf::bytes(flow_);
 }
 
 } // namespace lpf

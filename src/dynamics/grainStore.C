@@ -1,113 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grainStore.H"
 
-#include "orderedSum.H"
-
-#include "IOstreams.H"
-
 namespace Foam
 {
 namespace lpf
 {
 
-namespace
-{
-
-//- The arrays that a sort keeps, with one function for all
-template<class Store, class Task>
-void forState(Store& s, const Task& task)
-{
-    for (auto* group : {&s.x, &s.U})
-    {
-        for (auto& component : *group)
-        {
-            task(component);
-        }
-    }
-    for (auto& component : s.sigma)
-    {
-        task(component);
-    }
-    for (auto* field : {&s.mass, &s.rho, &s.rhoRef, &s.I})
-    {
-        task(*field);
-    }
-}
-
-template<class Array>
-void gather(Array& field, Array& spare, const indexArray& order, int n)
-{
-    lpfPairs::forChunks(
-        n,
-        [&](int begin, int end, int)
-        {
-            for (int i = begin; i < end; ++i)
-            {
-                spare[i] = field[order[i]];
-            }
-        }
-    );
-    field.swap(spare);
-}
-
-} // namespace
-
 void grainStore::resize(int n)
 {
-    size_ = n;
-    forState(*this, [n](realArray& f) { f.resize(n); });
-    for (auto& f : L)
-    {
-        f.resize(n);
-    }
-    for (auto& f : B)
-    {
-        f.resize(n);
-    }
-    for (auto& f : a)
-    {
-        f.resize(n);
-    }
-    for (auto* f : {&V, &spare_})
+    particleStore::resize(n);
+    lpf::resize(sigma, n);
+    lpf::resize(L, n);
+    lpf::resize(B, n);
+    for (auto* f : {&rho, &rhoRef, &I})
     {
         f->resize(n);
     }
-    for (auto* f : {&id, &zone, &spareIndex_})
+    if (wet_)
     {
-        f->resize(n);
+        lpf::resize(drag, n);
+        lpf::resize(gradPForce, n);
     }
 }
 
 std::size_t grainStore::bytes() const
 {
-    std::size_t total = V.bytes() + spare_.bytes() + spareIndex_.bytes()
-                      + id.bytes() + zone.bytes();
-    forState(*this, [&](const realArray& f) { total += f.bytes(); });
-    for (const auto& f : a)
-    {
-        total += f.bytes();
-    }
-    for (const auto& f : L)
-    {
-        total += f.bytes();
-    }
-    for (const auto& f : B)
-    {
-        total += f.bytes();
-    }
-    return total;
+    return particleStore::bytes() + lpf::bytes(sigma) + lpf::bytes(L)
+         + lpf::bytes(B) + rho.bytes() + rhoRef.bytes() + I.bytes()
+         + lpf::bytes(drag) + lpf::bytes(gradPForce);
 }
 
 void grainStore::permute(const indexArray& order)
 {
-    forState(*this, [&](realArray& f) { gather(f, spare_, order, size_); });
-    gather(id, spareIndex_, order, size_);
-    gather(zone, spareIndex_, order, size_);
-}
-
-void grainStore::truncate(int n)
-{
-    size_ = n;
+    particleStore::permute(order);
+    permute(sigma, order);
+    permute(rho, order);
+    permute(rhoRef, order);
+    permute(I, order);
+    if (wet_)
+    {
+        permute(drag, order);
+        permute(gradPForce, order);
+    }
 }
 
 void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
@@ -138,8 +72,6 @@ void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
 cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
 {
     cloudState cloud;
-    cloud.positions.resize(size_);
-    vectorField velocity(size_);
     symmTensorField stress(size_);
     scalarField m(size_), density(size_), reference(size_), alpha(size_);
     scalarField p(size_), inertial(size_);
@@ -147,8 +79,6 @@ cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
 
     for (int i = 0; i < size_; ++i)
     {
-        cloud.positions[i] = at(x, i);
-        velocity[i] = at(U, i);
         for (direction c = 0; c < 6; ++c)
         {
             stress[i][c] = sigma[c][i];
@@ -163,7 +93,8 @@ cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
         zones[i] = zone[i];
     }
 
-    cloud.vectors.set("U", velocity);
+    cloud.positions = toField(x, size_);
+    cloud.vectors.set("U", toField(U, size_));
     cloud.symmTensors.set("sigma", stress);
     cloud.scalars.set("mass", m);
     cloud.scalars.set("rho", density);
@@ -174,6 +105,11 @@ cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
     cloud.scalars.set("I", inertial);
     cloud.labels.set("id", ids);
     cloud.labels.set("zone", zones);
+    if (wet_)
+    {
+        cloud.vectors.set("drag", toField(drag, size_));
+        cloud.vectors.set("gradPForce", toField(gradPForce, size_));
+    }
     return cloud;
 }
 

@@ -38,6 +38,9 @@ void forSums(Balance& b, const Task& task)
     task("separation", b.separation);
     task("friction", b.friction);
     task("viscous", b.viscous);
+    task("artificial", b.artificial);
+    task("diffusion", b.diffusion);
+    task("drag", b.drag);
     task("projection", b.projection);
     task("wallTension", b.wallTension);
     task("left", b.left);
@@ -71,6 +74,20 @@ bool isHexadecimal(const word& w)
 }
 
 } // namespace
+
+void balance::operator+=(const balance& b)
+{
+    std::vector<scalar> sums;
+    std::vector<vector> vectors;
+    forSums(b, [&](const char*, scalar v) { sums.push_back(v); });
+    forVectorSums(
+        b, [&](const char*, const vector& v) { vectors.push_back(v); }
+    );
+    std::size_t k = 0;
+    forSums(*this, [&](const char*, scalar& v) { v += sums[k++]; });
+    k = 0;
+    forVectorSums(*this, [&](const char*, vector& v) { v += vectors[k++]; });
+}
 
 dictionary balance::state() const
 {

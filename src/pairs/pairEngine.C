@@ -3,8 +3,8 @@
 // Built once an instruction set, each time a library of its own.
 
 #include "pairEngine.H"
-#include "cellRuns.H"
-#include "lanes.H"
+#include "enginePasses.H"
+#include "pairLoops.H"
 #include "pairTerms.H"
 #include "wendlandC2.H"
 
@@ -18,71 +18,6 @@ namespace lpfPairs
 {
 namespace
 {
-
-//- A distance that no kernel reaches: masks lanes beyond the end of a run
-constexpr double farAway = 1e300;
-
-Vec<pack> loadVec(const double* x, const double* y, const double* z, int j)
-{
-    return {load(x + j), load(y + j), load(z + j)};
-}
-
-Vec<pack> broadcast(const double* x, const double* y, const double* z, int i)
-{
-    return {pack(x[i]), pack(y[i]), pack(z[i])};
-}
-
-double sum(const Vec<pack>& a, int component)
-{
-    return lpfPairs::sum(component == 0 ? a.x : component == 1 ? a.y : a.z);
-}
-
-//- Sums over the lanes. By value: where the address of a total is taken, the
-//  compiler keeps it in memory for the whole loop
-void store(Vec<pack> a, double* const* to, int i)
-{
-    to[0][i] = lpfPairs::sum(a.x);
-    to[1][i] = lpfPairs::sum(a.y);
-    to[2][i] = lpfPairs::sum(a.z);
-}
-
-//- Walk the packs of all runs; term(j, x_ij, rSqr, near) where a lane is near
-template<class Term>
-inline void overPairs(
-    const runs& around,
-    const Vec<pack>& x_i,
-    const double* x,
-    const double* y,
-    const double* z,
-    double supportSqr,
-    const Term& term
-)
-{
-    const pack numbers = laneNumbers();
-
-    for (int k = 0; k < around.count; ++k)
-    {
-        const run& r = around.list[k];
-        const Vec<pack> from =
-            x_i
-            - Vec<pack>{pack(r.shift[0]), pack(r.shift[1]), pack(r.shift[2])};
-
-        for (int j = r.begin; j < r.end; j += nLanes)
-        {
-            const Vec<pack> x_ij = from - loadVec(x, y, z, j);
-            pack rSqr = magSqr(x_ij);
-            stdx::where(!firstLanes(numbers, r.end - j), rSqr) = farAway;
-            if (stdx::any_of(rSqr < pack(supportSqr)))
-            {
-                term(j, x_ij, rSqr);
-            }
-        }
-    }
-}
-
-//- Everything called for one particle is compiled into one loop body: packs
-//  that are passed to a function would go through memory
-#define LPF_ONE_BODY __attribute__((flatten, noinline))
 
 //- Lanes outside the support have x_ij up to two cells, inside a masked one
 //  anything: F = 0 there removes both, as long as x_ij is finite
@@ -118,29 +53,6 @@ LPF_ONE_BODY void kinematicsOfParticle(
     store({total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
 }
 
-//- particleTask(runs around it, i) for every particle that has any in `others`
-template<class Task>
-void forParticles(
-    const cellGrid& cells, const cellGrid& others, const Task& particleTask
-)
-{
-    forCells(
-        cells,
-        [&](int begin, int end, long cx, long cy, long cz)
-        {
-            const runs around = runsAround(others, cx, cy, cz);
-            if (around.count == 0)
-            {
-                return;
-            }
-            for (int i = begin; i < end; ++i)
-            {
-                particleTask(around, i);
-            }
-        }
-    );
-}
-
 void kinematics(const kinematicsPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -151,14 +63,6 @@ void kinematics(const kinematicsPass& p)
         [&](const runs& around, int i)
         { kinematicsOfParticle(p, W, around, i); }
     );
-}
-
-Tensor<pack> loadTensor(const double* const A[9], int j)
-{
-    return {
-        loadVec(A[0], A[1], A[2], j),
-        loadVec(A[3], A[4], A[5], j),
-        loadVec(A[6], A[7], A[8], j)};
 }
 
 //- What acts between particles besides the stress
@@ -340,8 +244,10 @@ void store(const WallSums<pack>& from, wallRecord& to)
     }
     to.area = lpfPairs::sum(from.area);
     to.friction = lpfPairs::sum(from.friction);
+    to.share = lpfPairs::sum(from.share);
 }
 
+template<bool withShare>
 LPF_ONE_BODY void wallOfParticle(
     const wallPass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -367,6 +273,10 @@ LPF_ONE_BODY void wallOfParticle(
             addWall(
                 total, LayerSums<pack>{A * s.E, A * s.D}, n, load(p.mu + q)
             );
+            if constexpr (withShare)
+            {
+                total.share += A * layerShare(W, rSqr, d, p.layerDepth);
+            }
             nearest.see(rSqr, d, n, p.outOfSight);
         }
     );
@@ -376,6 +286,7 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
+template<bool withShare>
 void wall(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -383,8 +294,19 @@ void wall(const wallPass& p)
     forParticles(
         p.cells,
         p.elements,
-        [&](const runs& around, int i) { wallOfParticle(p, W, around, i); }
+        [&](const runs& around, int i)
+        {
+            if (around.count > 0)
+            {
+                wallOfParticle<withShare>(p, W, around, i);
+            }
+        }
     );
+}
+
+void anyWall(const wallPass& p)
+{
+    p.withShare ? wall<true>(p) : wall<false>(p);
 }
 
 int wallSlots(const cellGrid& cells, const cellGrid& elements, int* slot)
@@ -445,7 +367,20 @@ double peak()
 }
 
 const pairEngine engine = {
-    LPF_ISA, nLanes, kinematics, anyForce, wall, wallSlots, peak};
+    LPF_ISA,
+    nLanes,
+    kinematics,
+    anyForce,
+    anyWall,
+    waterContinuity,
+    waterForce,
+    smoothed,
+    waterMoments,
+    grainDivergences,
+    waterPressureOnGrains,
+    grainReactions,
+    wallSlots,
+    peak};
 
 } // namespace
 } // namespace lpfPairs

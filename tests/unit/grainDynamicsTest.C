@@ -506,7 +506,7 @@ TEST_CASE("grain dynamics: artificial viscosity takes what the ledger says")
     const powers p(s);
     const double dt = 1e-9;
     s.dynamics->kick(dt);
-    const double taken = s.dynamics->ledger.viscous / dt;
+    const double taken = s.dynamics->ledger.artificial / dt;
     CHECK(taken > 0);
     CHECK(p.force == Approx(-taken).epsilon(1e-10));
     CHECK(mag(p.momentum) < 1e-13 * p.forces);

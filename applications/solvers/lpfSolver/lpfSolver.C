@@ -12,7 +12,7 @@ Usage        lpfSolver [-case <dir>] [-threads <N>]
              Status 0: done; 1: refused input, or mass that does not close.
 */
 #include "argList.H"
-#include "grainRun.H"
+#include "caseRun.H"
 
 #include <cstdlib>
 #include <omp.h>
@@ -56,7 +56,7 @@ int main(int argc, char* argv[])
         omp_set_num_threads(threads);
     }
 
-    lpf::grainRun run(args.path());
+    lpf::caseRun run(args.path());
     while (run.running())
     {
         run.step();

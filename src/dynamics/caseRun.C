@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "caseRun.H"
+
+#include "uniformTime.H"
+
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+word caseRun::balanceName(const word& phase)
+{
+    return phase == "grains" ? "balance" : phase + "Balance";
+}
+
+void caseRun::openSeries()
+{
+    const fileName dir = caseDir_ / "postProcessing" / "lpfSolver"
+                       / control_.timeName(control_.startTime());
+    balanceFile_.reset(new seriesFile(
+        dir,
+        "balance.dat",
+        "time[s] mass[kg] left[kg] kinetic[J] potential[J] elastic[J] "
+        "plastic[J] separation[J] friction[J] viscous[J] projection[J] "
+        "wallTension[J] leftEnergy[J] unexplained[J] momentumX[Ns] "
+        "momentumY[Ns] momentumZ[Ns] unexplainedMomentum[Ns] maxSpeed[m/s] "
+        "movingMass[-] wallForceX[N] wallForceY[N] wallForceZ[N] "
+        "wallImpulse[Ns] contactImpulse[Ns] artificial[J] diffusion[J] "
+        "drag[J]"
+    ));
+    const string leaverColumns =
+        "time[s] id x[m] y[m] z[m] Ux[m/s] Uy[m/s] Uz[m/s] mass[kg]";
+    string phaseColumns = "time[s]";
+    for (const word& name : flow_.names())
+    {
+        leaversFiles_.append(new seriesFile(
+            dir, name == "grains" ? "left.dat" : "leftWater.dat", leaverColumns
+        ));
+        for (const char* column :
+             {"Mass[kg]",
+              "Left[kg]",
+              "MeanSpeed[m/s]",
+              "MaxSpeed[m/s]",
+              "Kinetic[J]",
+              "MeanDrag[m/s2]",
+              "MeanGradPForce[m/s2]"})
+        {
+            phaseColumns += " " + name + column;
+        }
+    }
+    phasesFile_.reset(new seriesFile(dir, "phases.dat", phaseColumns));
+}
+
+bool caseRun::running() const
+{
+    return control_.running() && !atRest_ && massCloses_ && flow_.size() > 0;
+}
+
+void caseRun::step()
+{
+    const bool first = control_.index == 0;
+    const bool report = control_.index % logInterval_ == 0;
+    const scalar dtBefore = control_.deltaT;
+
+    flow_.rates(dtBefore, control_.time);
+    flow_.kick(0.5 * dtBefore);
+
+    // synchronous time: velocities, positions and stress belong together
+    if (first)
+    {
+        for (phaseDynamics* phase : flow_.phases())
+        {
+            phase->ledger.initial = phase->energy();
+        }
+    }
+    limit_ = flow_.stableDeltaT();
+    if (!(limit_.deltaT > 0) || !std::isfinite(limit_.deltaT))
+    {
+        FatalErrorInFunction
+            << "The time step limit " << limit_.rule << " gives "
+            << limit_.deltaT << " s at time " << control_.time << " s, step "
+            << control_.index
+            << ": the solution is not finite. Restart from the last time "
+            << "with a smaller CFL, or with artificialViscosity 0.01"
+            << exit(FatalError);
+    }
+    const scalar dt = control_.step(limit_.deltaT);
+    if (report || control_.writesAfterStep())
+    {
+        now_ = flow_.energy();
+        if (report)
+        {
+            // at fixed steps, whatever a signal adds: part of the state
+            scalar& peak = flow_.phases().front()->ledger.peakKinetic;
+            peak = max(peak, now_.kinetic);
+        }
+        booked_ = flow_.ledger();
+        bookedAt_ = control_.time;
+    }
+    if (report)
+    {
+        control_.readIfModified();
+        checkStop();
+        logStep();
+        bookBalance();
+    }
+
+    flow_.kick(0.5 * dt);
+    flow_.drag(0.5 * (dtBefore + dt));
+    flow_.drift(dt, control_.time);
+    control_.advance();
+
+    if (control_.writeNow() || atRest_)
+    {
+        write();
+    }
+}
+
+void caseRun::checkStop()
+{
+    if (control_.time < stop_.after)
+    {
+        return;
+    }
+    if (stop_.criterion == "movingMass")
+    {
+        atRest_ = flow_.movingMassShare(stop_.speed) < stop_.share;
+    }
+    else if (stop_.criterion == "kineticEnergy")
+    {
+        atRest_ = now_.kinetic
+                < stop_.share * flow_.phases().front()->ledger.peakKinetic;
+    }
+}
+
+void caseRun::logStep()
+{
+    const auto now = wallClock::now();
+    const std::chrono::duration<scalar> since = now - lastLog_;
+    const std::chrono::duration<scalar> total = now - began_;
+    const label steps = control_.index - lastIndex_;
+    const scalar rate =
+        since.count() > 0 ? steps * scalar(flow_.size()) / since.count() : 0;
+    const scalar secondsLeft =
+        steps > 0 ? since.count() / steps * (control_.endTime() - control_.time)
+                        / control_.deltaT
+                  : 0;
+    lastLog_ = now;
+    lastIndex_ = control_.index;
+
+    Info << "Time = " << control_.timeName(control_.time) << nl << nl
+         << "deltaT = " << control_.deltaT << " ruled by " << limit_.rule << nl
+         << "done " << 100 * control_.time / control_.endTime() << " %, "
+         << rate << " particle-steps/s, at most " << secondsLeft << " s left"
+         << nl << "max speed " << flow_.maxSpeed() << " m/s, moving mass "
+         << 100 * flow_.movingMassShare(stop_.speed) << " %, kinetic energy "
+         << now_.kinetic << " J" << nl << "ExecutionTime = " << total.count()
+         << " s  ClockTime = " << total.count() << " s" << nl << endl;
+}
+
+void caseRun::bookBalance()
+{
+    const balance& b = booked_;
+    const vector wall = flow_.wallForceSum();
+    const vector error = b.unexplainedMomentum(now_);
+
+    balanceFile_->row(
+        {bookedAt_,
+         flow_.mass(),
+         flow_.leftMass(),
+         now_.kinetic,
+         now_.potential,
+         now_.elastic,
+         b.plastic,
+         b.separation,
+         b.friction,
+         b.viscous,
+         b.projection,
+         b.wallTension,
+         b.left,
+         b.unexplained(now_),
+         now_.momentum.x(),
+         now_.momentum.y(),
+         now_.momentum.z(),
+         mag(error),
+         flow_.maxSpeed(),
+         flow_.movingMassShare(stop_.speed),
+         wall.x(),
+         wall.y(),
+         wall.z(),
+         b.wallNormalImpulse,
+         b.projectionNormalImpulse,
+         b.artificial,
+         b.diffusion,
+         b.drag}
+    );
+    bookPhases();
+    bookLeavers();
+    massCloses_ = flow_.massCloses();
+}
+
+void caseRun::bookPhases()
+{
+    std::vector<scalar> row = {bookedAt_};
+    for (const phaseDynamics* phase : flow_.phases())
+    {
+        const scalar mass = phase->mass().value();
+        row.insert(
+            row.end(),
+            {mass,
+             phase->ledger.leftMass.value(),
+             phase->meanSpeed(),
+             phase->maxSpeed(),
+             phase->energy().kinetic,
+             flow_.meanDrag(*phase),
+             flow_.meanGradPForce(*phase)}
+        );
+    }
+    phasesFile_->row(row);
+}
+
+void caseRun::bookLeavers()
+{
+    const point& origin = ground_->origin();
+    const std::vector<phaseDynamics*> phases = flow_.phases();
+    forAll (leaversFiles_, k)
+    {
+        balance& ledger = phases[static_cast<std::size_t>(k)]->ledger;
+        for (const leaver& l : ledger.leavers)
+        {
+            const point at = l.at + origin;
+            leaversFiles_[k].row(
+                {l.time,
+                 scalar(l.id),
+                 at.x(),
+                 at.y(),
+                 at.z(),
+                 l.U.x(),
+                 l.U.y(),
+                 l.U.z(),
+                 l.mass}
+            );
+        }
+        ledger.leavers.clear();
+    }
+}
+
+void caseRun::write()
+{
+    const word name = control_.timeName(control_.time);
+    timeFolder folder(caseDir_, name);
+
+    if (flow_.grains)
+    {
+        writeCloud(
+            folder.path(),
+            "grains",
+            flow_.grains->grains.toCloud(grainDensity_, scene_.h),
+            control_.format()
+        );
+    }
+    if (flow_.water)
+    {
+        writeCloud(
+            folder.path(),
+            "water",
+            flow_.water->water.toCloud(flow_.state->rho0(), waterScene_.h),
+            control_.format()
+        );
+    }
+    writeUniformTime(
+        folder.path(),
+        {control_.time,
+         name,
+         control_.index,
+         control_.deltaT,
+         control_.unrestricted}
+    );
+    writeState(folder.path(), name);
+    folder.commit();
+    control_.purge();
+    bookBalance();
+    Info << "Written " << name << nl << endl;
+}
+
+void caseRun::writeState(const fileName& dir, const word& time) const
+{
+    dictionary state;
+    const std::vector<phaseDynamics*> phases = flow_.phases();
+    setExact(state, "unrestrictedDeltaT", control_.unrestricted);
+    setExact(state, "domainMin", phases.front()->domain().min());
+    setExact(state, "domainMax", phases.front()->domain().max());
+    const wordList names(flow_.names());
+    forAll (names, k)
+    {
+        state.set(
+            balanceName(names[k]),
+            phases[static_cast<std::size_t>(k)]->ledger.state()
+        );
+    }
+    OFstream os(dir / "uniform" / "lpfState");
+    os.precision(17);
+    os << "FoamFile" << nl << "{" << nl << "    version 2.0;" << nl
+       << "    format ascii;" << nl << "    class dictionary;" << nl
+       << "    location \"" << time.c_str() << "/uniform\";" << nl
+       << "    object lpfState;" << nl << "}" << nl << nl;
+    state.write(os, false);
+}
+
+void caseRun::printLedger() const
+{
+    const balance& b = booked_;
+    const scalar released = b.released(now_);
+    const auto line = [&](const char* name, scalar energy)
+    {
+        Info << "        " << name << energy << " J ("
+             << (released != 0 ? 100 * energy / mag(released) : 0) << " %)"
+             << nl;
+    };
+    Info << nl << "Ledger at " << bookedAt_ << " s" << nl;
+    const wordList names(flow_.names());
+    const std::vector<phaseDynamics*> phases = flow_.phases();
+    forAll (names, k)
+    {
+        const phaseDynamics& phase = *phases[static_cast<std::size_t>(k)];
+        Info << "    mass        " << names[k].c_str() << ": initial "
+             << phase.ledger.initialMass.value() << " kg, present "
+             << phase.mass().value() << " kg, left "
+             << phase.ledger.leftMass.value() << " kg: "
+             << (phase.massCloses() ? "closes exactly" : "DOES NOT CLOSE")
+             << nl;
+    }
+    Info << "    energy      released " << released << " J, of it" << nl
+         << "        kinetic now     " << now_.kinetic << " J" << nl;
+    if (flow_.grains)
+    {
+        line("plastic         ", b.plastic);
+        line("basal friction  ", b.friction);
+        line("separation      ", b.separation);
+    }
+    if (flow_.coupling)
+    {
+        line("drag            ", b.drag);
+    }
+    if (flow_.water)
+    {
+        line("viscous         ", b.viscous);
+        line("diffusion       ", b.diffusion);
+    }
+    line("artificial      ", b.artificial);
+    line("contact         ", b.projection);
+    line("wall terms      ", b.wallTension);
+    line("with leavers    ", b.left);
+    line("unexplained     ", b.unexplained(now_));
+    Info << "    momentum    unexplained " << mag(b.unexplainedMomentum(now_))
+         << " N s of " << mag(b.gravityImpulse) << " N s of gravity" << nl
+         << "    contact     "
+         << (b.wallNormalImpulse > 0
+                 ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse
+                 : 0)
+         << " % of the wall impulse" << nl;
+}
+
+// What the scheme takes beside the laws of the materials
+void caseRun::printArtificialShare() const
+{
+    constexpr scalar most = 0.05;
+    const balance& b = booked_;
+    const scalar artificial = b.artificial + b.diffusion + b.projection;
+    const scalar all =
+        b.plastic + b.friction + b.viscous + b.drag + b.separation + artificial;
+    if (!(all > 0))
+    {
+        return;
+    }
+    Info << "Artificial viscosity, diffusion and contact: "
+         << 100 * artificial / all << " % of all dissipation" << nl;
+    if (artificial > most * all)
+    {
+        WarningInFunction
+            << "More than 5 % of the dissipation is the scheme's, not the "
+            << "material's: lower artificialViscosity, noiseDamping or "
+            << "bulkDamping of system/lpfSolution, or take a smaller spacing"
+            << endl;
+    }
+}
+
+int caseRun::finish()
+{
+    if (atRest_)
+    {
+        Info << "At rest by " << stop_.criterion << " at time " << control_.time
+             << " s" << nl;
+    }
+    else if (control_.asked())
+    {
+        Info << "Stopped as asked at time " << control_.time << " s" << nl;
+    }
+    printLedger();
+    printArtificialShare();
+    Info << "Memory " << scalar(flow_.bytes()) / 1048576 << " MiB, "
+         << scalar(flow_.bytes()) / max(flow_.size(), 1)
+         << " bytes a particle; " << flow_.pairPasses() << " pair passes and "
+         << flow_.names().size() << " ground pass"
+         << (flow_.names().size() > 1 ? "es" : "") << " a step" << nl;
+
+    if (!massCloses_)
+    {
+        Info << "Mass was lost: this result must not be used" << endl;
+        return 1;
+    }
+    Info << nl << "End" << nl << endl;
+    return 0;
+}
+
+} // namespace lpf
+} // namespace Foam

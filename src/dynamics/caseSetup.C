@@ -1,0 +1,735 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "caseRun.H"
+
+#include "engineLoader.H"
+#include "inputCheck.H"
+#include "uniformTime.H"
+
+#include <omp.h>
+
+#include <stdexcept>
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+//- Grains that leave this far above the ground are taken out, times the extent
+constexpr scalar headroom = 0.5;
+
+cyclicBox
+readCyclic(const dictionary& dict, const point& origin, const scalar h)
+{
+    cyclicBox box;
+    const dictionary* pairs = optionalDictionary(dict, "cyclic");
+    if (!pairs)
+    {
+        return box;
+    }
+    const dictionary& cyclic = *pairs;
+    allowOnly(cyclic, {"x", "y", "z"});
+    const word axes[3] = {"x", "y", "z"};
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (cyclic.found(axes[d]))
+        {
+            const Pair<scalar> ends = readInterval(cyclic, axes[d]);
+            box.lower[d] = ends.first() - origin[d];
+            box.period[d] = ends.second() - ends.first();
+            if (box.period[d] < 2 * h)
+            {
+                refuse(
+                    cyclic,
+                    axes[d],
+                    "The period of " + Foam::name(box.period[d])
+                        + " m is shorter than the support of the kernel, "
+                        + Foam::name(2 * h)
+                        + " m: a grain would be its own neighbour. Write a "
+                          "longer period or take a smaller spacing"
+                );
+            }
+        }
+    }
+    return box;
+}
+
+//- A number that terrainToParticles wrote
+scalar
+prepared(const dictionary& release, const word& key, const dimensionSet& dims)
+{
+    bounds limits;
+    limits.lower = 0;
+    limits.lowerOpen = key != "maxSpeed" && key != "releaseHeight";
+    limits.reason = "terrainToParticles writes it; run it again";
+    return readNumber(release, key, dims, limits);
+}
+
+const lpfPairs::pairEngine& engineNamed(const word& instructionSet)
+{
+    try
+    {
+        return lpfPairs::loadPairEngine(instructionSet);
+    }
+    catch (const std::runtime_error& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+        throw;
+    }
+}
+
+//- A sub-dictionary that must be there
+const dictionary&
+needed(const dictionary& dict, const word& key, const string& remedy)
+{
+    const dictionary* sub = dict.findDict(key);
+    if (!sub)
+    {
+        refuse(dict, key, "There is no dictionary " + key + "; " + remedy);
+    }
+    return *sub;
+}
+
+//- Stop with what is wrong with a file of the state
+[[noreturn]] void refuseFile(const fileName& file, const string& message)
+{
+    FatalIOError("", "", 0, file, -1, -1)
+        << message.c_str() << exit(FatalIOError);
+    throw;
+}
+
+//- Fields without which there is no state; from a run, all that it wrote
+void checkFields(
+    const cloudState& cloud,
+    const fileName& dir,
+    const word& phase,
+    const bool continued
+)
+{
+    wordList missing;
+    const auto need = [&](const auto& fields, const wordList& names)
+    {
+        for (const word& name : names)
+        {
+            if (!fields.found(name))
+            {
+                missing.append(name);
+            }
+        }
+    };
+    need(cloud.labels, {"id", "zone"});
+    need(cloud.vectors, {"U"});
+    need(cloud.scalars, {"mass", "alpha"});
+    if (phase == "grains")
+    {
+        need(cloud.symmTensors, {"sigma"});
+        if (continued || cloud.scalars.found("rhoRef"))
+        {
+            need(cloud.scalars, {"rho", "rhoRef", "I"});
+        }
+    }
+    else
+    {
+        need(cloud.scalars, {"p", "S"});
+        if (continued)
+        {
+            need(cloud.scalars, {"rho"});
+        }
+    }
+    const fileName file(dir / "lagrangian" / phase);
+    const string remedy(
+        continued ? "Go on from an earlier time"
+                  : "Run terrainToParticles again"
+    );
+    if (missing.size())
+    {
+        refuseFile(file / missing[0], "The file does not exist\n" + remedy);
+    }
+    const scalarField& mass = cloud.scalars["mass"];
+    forAll (mass, i)
+    {
+        if (!(mass[i] > 0))
+        {
+            refuseFile(
+                file / "mass",
+                "Particle " + Foam::name(i) + " has a mass of "
+                    + Foam::name(mass[i]) + " kg: it would not move. " + remedy
+            );
+        }
+    }
+}
+
+//- Particles outside are taken out: what lies over the ground and a headroom
+boundBox domainOf(
+    const boundBox& groundBox,
+    const pointField& particles,
+    const sceneProperties& scene
+)
+{
+    boundBox domain(groundBox);
+    domain.add(particles);
+    const scalar g = mag(scene.g);
+    const vector up = g > 0 ? vector(-scene.g / g) : vector(0, 0, 1);
+    const scalar margin = 4 * scene.largestH;
+    const vector above = headroom * domain.mag() * up;
+    const boundBox low(domain);
+    domain.add(boundBox(low.min() + above, low.max() + above));
+    return boundBox(
+        domain.min() - vector::uniform(margin),
+        domain.max() + vector::uniform(margin)
+    );
+}
+
+} // namespace
+
+caseRun::caseRun(const fileName& caseDir)
+    : caseDir_(caseDir), control_(caseDir),
+      boundary_(readDictionary(caseDir / "constant" / "boundaryProperties")),
+      phases_(readDictionary(caseDir / "constant" / "phaseProperties")),
+      release_(readDictionary(caseDir / "constant" / "releaseProperties"))
+{
+    const word isa = readSolution();
+    readPhases();
+    ground_ = ground::read(caseDir);
+    readScene();
+    makeContact();
+    const lpfPairs::pairEngine& engine = engineNamed(isa);
+    if (has("grains"))
+    {
+        makeGrains(engine);
+    }
+    if (has("water"))
+    {
+        makeWater(engine);
+    }
+    if (has("grains") && has("water"))
+    {
+        makeCoupling(engine);
+    }
+    printSetup(engine);
+    readState();
+    removeUnfinishedTimes(caseDir);
+    openSeries();
+    runControl::catchSignals();
+    began_ = lastLog_ = wallClock::now();
+    lastIndex_ = control_.index;
+}
+
+void caseRun::readPhases()
+{
+    allowOnly(phases_, {"phases", "grains", "water"});
+    const wordList known({"grains", "water"});
+    if (!phases_.found("phases"))
+    {
+        refuse(
+            phases_,
+            "phases",
+            "What moves is not named; write phases (grains); or (water); or "
+            "(grains water);"
+        );
+    }
+    names_ = phases_.get<wordList>("phases");
+    for (const word& name : names_)
+    {
+        if (!known.found(name))
+        {
+            refuse(
+                phases_,
+                "phases",
+                name
+                    + " is not a phase; write phases (grains); or (water); "
+                      "or (grains water);"
+            );
+        }
+    }
+    if (names_.empty() || (names_.size() == 2 && names_[0] == names_[1])
+        || names_.size() > 2)
+    {
+        refuse(
+            phases_,
+            "phases",
+            "Each phase once; write phases (grains); or (water); or (grains "
+            "water);"
+        );
+    }
+    for (const word& name : known)
+    {
+        if (!has(name) && phases_.found(name))
+        {
+            WarningInFunction << "The dictionary of " << name
+                              << " is not used: phases does not list it"
+                              << endl;
+        }
+    }
+    if (has("grains"))
+    {
+        const dictionary& grains = needed(
+            phases_,
+            "grains",
+            "write grains { rho 2600; diameter 0.005; rheology muI; "
+            "muICoeffs {} }"
+        );
+        allowOnly(grains, {"rho", "diameter", "rheology", "muICoeffs"});
+        bounds positive;
+        positive.lower = 0;
+        positive.lowerOpen = true;
+        positive.reason = "the density of the grain material, e.g. 2600 kg/m3";
+        grainDensity_ = readNumber(grains, "rho", dimDensity, positive);
+    }
+    if (has("water"))
+    {
+        allowOnly(
+            needed(
+                phases_,
+                "water",
+                "write water { rho 1000; NewtonianCoeffs { mu 1e-3; } }"
+            ),
+            {"rho",
+             "equationOfState",
+             "TaitCoeffs",
+             "viscosity",
+             "NewtonianCoeffs"}
+        );
+    }
+}
+
+void caseRun::readScene()
+{
+    scene_.spacing = prepared(release_, "spacing", dimLength);
+    scene_.h = prepared(release_, "smoothingLength", dimLength);
+    scene_.dimensions = label(prepared(release_, "dimensions", dimless));
+    scene_.planeThickness = release_.getOrDefault<scalar>("planeThickness", 1);
+    scene_.planeNormal =
+        release_.getOrDefault<vector>("planeNormal", vector(0, 1, 0));
+    scene_.g = readGravity(caseDir_);
+
+    waterScene_ = scene_;
+    if (names_.size() > 1)
+    {
+        waterScene_.spacing = prepared(release_, "waterSpacing", dimLength);
+        waterScene_.h = prepared(release_, "waterSmoothingLength", dimLength);
+    }
+    scene_.largestH = max(scene_.h, waterScene_.h);
+    scene_.cyclic = readCyclic(boundary_, ground_->origin(), scene_.largestH);
+    waterScene_.largestH = scene_.largestH;
+    waterScene_.cyclic = scene_.cyclic;
+
+    if (stop_.speed <= 0)
+    {
+        stop_.speed = 0.1 * sqrt(mag(scene_.g) * scene_.spacing);
+    }
+    if (stop_.after <= 0 && mag(scene_.g) > 0)
+    {
+        stop_.after =
+            2
+            * sqrt(
+                prepared(release_, "releaseHeight", dimLength) / mag(scene_.g)
+            );
+    }
+}
+
+word caseRun::readSolution()
+{
+    const dictionary dict(readDictionary(caseDir_ / "system" / "lpfSolution"));
+    allowOnly(
+        dict,
+        {"CFL",
+         "artificialViscosity",
+         "noiseDamping",
+         "bulkDamping",
+         "water",
+         "instructionSet",
+         "logInterval",
+         "stop"}
+    );
+
+    bounds CFL;
+    CFL.lower = 0;
+    CFL.lowerOpen = true;
+    CFL.upper = 1;
+    CFL.reason = "above 1 a wave passes a smoothing length in one step and "
+                 "the run blows up; write 0.3";
+    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, 0.3);
+
+    bounds alpha;
+    alpha.lower = 0;
+    alpha.upper = 1;
+    alpha.reason = "it is Monaghan's alpha; above 0.1 the answer is the "
+                   "scheme's, not the material's; write 0 or 0.01";
+    scheme_.artificialViscosity =
+        readNumber(dict, "artificialViscosity", dimless, alpha, 0);
+
+    bounds beta;
+    beta.lower = 0;
+    beta.upper = 2;
+    beta.reason = "it damps what is not smooth between neighbours; above 2 "
+                  "the step is not stable; write 0 to 0.5";
+    scheme_.noiseDamping = readNumber(dict, "noiseDamping", dimless, beta, 0);
+
+    beta.upper = 1;
+    beta.reason = "it damps waves of compression; above 1 the step is not "
+                  "stable; write 0 to 0.5";
+    scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
+
+    bounds count;
+    count.lower = 1;
+    count.reason = "a number of steps";
+    logInterval_ = label(readNumber(dict, "logInterval", dimless, count, 100));
+
+    if (const dictionary* water = optionalDictionary(dict, "water"))
+    {
+        readWaterScheme(*water);
+    }
+    waterScheme_.CFL = scheme_.CFL;
+    readStop(dict.subOrEmptyDict("stop"));
+    return readChoice(
+        dict,
+        "instructionSet",
+        {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"},
+        "auto"
+    );
+}
+
+void caseRun::readWaterScheme(const dictionary& dict)
+{
+    allowOnly(dict, {"artificialViscosity", "densityDiffusion"});
+    bounds alpha;
+    alpha.lower = 0;
+    alpha.upper = 1;
+    alpha.reason = "it is Monaghan's alpha; above 0.1 the answer is the "
+                   "scheme's, not the material's; write 0 to 0.05";
+    waterScheme_.artificialViscosity = readNumber(
+        dict,
+        "artificialViscosity",
+        dimless,
+        alpha,
+        waterScheme_.artificialViscosity
+    );
+    bounds delta;
+    delta.lower = 0;
+    delta.upper = 0.5;
+    delta.reason = "it smooths the density of the water; above 0.5 the step "
+                   "is not stable; write 0.1";
+    waterScheme_.densityDiffusion = readNumber(
+        dict, "densityDiffusion", dimless, delta, waterScheme_.densityDiffusion
+    );
+}
+
+void caseRun::readStop(const dictionary& stop)
+{
+    allowOnly(stop, {"criterion", "share", "speed", "after"});
+    stop_.criterion = readChoice(
+        stop, "criterion", {"movingMass", "kineticEnergy", "none"}, "none"
+    );
+    bounds share;
+    share.lower = 0;
+    share.upper = 1;
+    share.reason = "a share of the mass or of the peak energy, e.g. 0.01";
+    stop_.share = readNumber(stop, "share", dimless, share, 0.01);
+    bounds notNegative;
+    notNegative.lower = 0;
+    notNegative.reason = "it cannot be negative";
+    stop_.speed = readNumber(stop, "speed", dimVelocity, notNegative, 0);
+    stop_.after = readNumber(stop, "after", dimTime, notNegative, 0);
+}
+
+stiffnessScale caseRun::scale() const
+{
+    stiffnessScale s = {};
+    if (has("grains"))
+    {
+        s.rhoBulk =
+            grainDensity_
+            * prepared(
+                needed(release_, "grains", "run terrainToParticles again"),
+                "solidFraction",
+                dimless
+            );
+    }
+    s.gH = mag(scene_.g) * prepared(release_, "releaseHeight", dimLength);
+    s.maxSpeed = prepared(release_, "maxSpeed", dimVelocity);
+    return s;
+}
+
+void caseRun::makeContact()
+{
+    contact_.reset(new groundContact(
+        *ground_,
+        boundary_,
+        min(scene_.spacing, waterScene_.spacing),
+        scene_.dimensions == 2 ? scene_.planeThickness : 0,
+        scene_.planeNormal
+    ));
+}
+
+void caseRun::makeGrains(const lpfPairs::pairEngine& engine)
+{
+    const dictionary& phase = phases_.subDict("grains");
+    const word coeffs(granularRheology::nameOf(phase) + "Coeffs");
+    const elasticity elastic(
+        needed(
+            phase,
+            coeffs,
+            "write the numbers of the rheology into it, tutorials show how"
+        ),
+        scale()
+    );
+    flow_.rheology.reset(granularRheology::New(phase, elastic).ptr());
+    flow_.grains.reset(new grainDynamics(
+        engine, scene_, scheme_, *flow_.rheology, *contact_, has("water")
+    ));
+}
+
+void caseRun::makeWater(const lpfPairs::pairEngine& engine)
+{
+    const dictionary& phase = phases_.subDict("water");
+    const stiffnessScale s = scale();
+    soundSpeedScale sound;
+    sound.gH = s.gH;
+    sound.maxSpeed = s.maxSpeed;
+    if (has("grains"))
+    {
+        const elasticity& e = flow_.rheology->elastic();
+        sound.skeleton = e.K() + 4 * e.G() / 3;
+        sound.porosity = 1 - s.rhoBulk / grainDensity_;
+    }
+    flow_.state.reset(equationOfState::New(phase, sound).ptr());
+    flow_.viscosity.reset(viscosityModel::New(phase).ptr());
+    flow_.water.reset(new waterDynamics(
+        engine,
+        waterScene_,
+        waterScheme_,
+        *flow_.state,
+        *flow_.viscosity,
+        *contact_,
+        has("grains")
+    ));
+}
+
+void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
+{
+    const dictionary dict(
+        readDictionary(caseDir_ / "constant" / "interphaseProperties")
+    );
+    allowOnly(
+        dict, {"drag", "dragOperator", "pressureCoupling", "skeletonModulus"}
+    );
+    readChoice(dict, "dragOperator", {"adjoint"}, "adjoint");
+    readChoice(dict, "pressureCoupling", {"difference"}, "difference");
+    flow_.law.reset(dragLaw::New(dict).ptr());
+
+    bounds positive;
+    positive.lower = 0;
+    positive.lowerOpen = true;
+    positive.reason = "drag needs the size of the grains, e.g. 0.005 m";
+    const scalar diameter =
+        readNumber(phases_.subDict("grains"), "diameter", dimLength, positive);
+    positive.reason = "drag needs a viscosity, water has 1e-3 Pa s";
+    if (!(flow_.viscosity->molecular() > 0))
+    {
+        refuse(
+            phases_.subDict("water").subOrEmptyDict("NewtonianCoeffs"),
+            "mu",
+            "mu = 0, but drag needs a viscosity; water has 1e-3 Pa s"
+        );
+    }
+    flow_.coupling.reset(new interphase(
+        engine, *flow_.grains, *flow_.water, *flow_.law, grainDensity_, diameter
+    ));
+    flow_.CFL = scheme_.CFL;
+    checkStiffness(dict);
+    if (contact_->anyPorePressure())
+    {
+        WarningInFunction
+            << "Zones have r_u > 0 and water is resolved: pore pressure is "
+            << "counted twice, once by r_u on the friction of the ground and "
+            << "once by the pressure gradient on the grains. For resolved "
+            << "pressure write ru 0; keep r_u only for pore pressure that "
+            << "this water does not have" << endl;
+    }
+}
+
+// Of a load that comes at once the water carries B = Kf/(Kf + M),
+//     Kf = rho0 c0^2/theta,  M = K + 4 G/3;                       (T 6.11)
+// consolidation takes a time that goes with 1/M
+void caseRun::checkStiffness(const dictionary& interphaseDict)
+{
+    constexpr scalar least = 0.5, good = 0.85;
+    const elasticity& e = flow_.rheology->elastic();
+    const scalar M = e.K() + 4 * e.G() / 3;
+    const scalar theta = 1 - scale().rhoBulk / grainDensity_;
+    const scalar Kf = flow_.state->rho0() * sqr(flow_.state->c0()) / theta;
+    const scalar B = Kf / (Kf + M); // (T 6.11)
+
+    bounds positive;
+    positive.lower = 0;
+    positive.lowerOpen = true;
+    positive.reason = "the true modulus of the skeleton of grains in one-"
+                      "dimensional compression; loose gravel has 3e7 Pa";
+    const scalar trueM = readNumber(
+        interphaseDict, "skeletonModulus", dimPressure, positive, 3e7
+    );
+    Info << nl << "Undrained share of pore pressure B = " << B
+         << ": what the water carries of a load that comes at once" << nl
+         << "Skeleton " << M << " Pa, true " << trueM
+         << " Pa: true over computed time of consolidation " << M / trueM
+         << endl;
+    const scalar needed_c0 = sqrt(9 * theta * M / flow_.state->rho0());
+    if (B < least)
+    {
+        refuse(
+            phases_.subDict("water").subOrEmptyDict("TaitCoeffs"),
+            "soundSpeed",
+            "With this soundSpeed the water is softer than the skeleton of the "
+            "grains: it would carry only "
+                + Foam::name(B)
+                + " of a sudden load, and saturated grains could not lose "
+                  "their strength. Write soundSpeed auto; or at least "
+                + Foam::name(needed_c0) + " m/s, or a softer skeleton"
+        );
+    }
+    if (B < good)
+    {
+        WarningInFunction << "B = " << B << " is below 0.9: write soundSpeed "
+                          << needed_c0 << " or more" << endl;
+    }
+}
+
+void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
+{
+    Info << nl << "Pair engine " << engine.instructionSet << ", "
+         << engine.lanes << " lanes, double; threads " << omp_get_max_threads()
+         << nl;
+    if (flow_.grains)
+    {
+        const elasticity& e = flow_.rheology->elastic();
+        Info << "Grains: " << flow_.rheology->type() << ", E " << e.E()
+             << " Pa, nu " << e.nu() << ", wave speed " << e.c() << " m/s" << nl
+             << "Spacing " << scene_.spacing << " m, smoothing length "
+             << scene_.h << " m, " << scene_.dimensions << " dimensions" << nl
+             << "Artificial viscosity " << scheme_.artificialViscosity
+             << ", noise damping " << scheme_.noiseDamping << ", bulk damping "
+             << scheme_.bulkDamping << ", CFL " << scheme_.CFL << nl;
+    }
+    if (flow_.water)
+    {
+        Info << "Water: " << flow_.state->type() << ", c0 " << flow_.state->c0()
+             << " m/s; " << flow_.viscosity->type() << ", mu "
+             << flow_.viscosity->largest() << " Pa s" << nl << "Spacing "
+             << waterScene_.spacing << " m, smoothing length " << waterScene_.h
+             << " m, " << waterScene_.dimensions << " dimensions" << nl
+             << "Artificial viscosity " << waterScheme_.artificialViscosity
+             << ", density diffusion " << waterScheme_.densityDiffusion
+             << ", CFL " << waterScheme_.CFL << nl;
+    }
+    if (flow_.coupling)
+    {
+        Info << "Between them: " << flow_.law->type()
+             << " drag, where pores are not full in their wet share" << nl;
+    }
+    Info << "Stop: endTime " << control_.endTime() << " s or "
+         << stop_.criterion;
+    if (stop_.criterion == "movingMass")
+    {
+        Info << " (share below " << stop_.share << " faster than "
+             << stop_.speed << " m/s, after " << stop_.after << " s)";
+    }
+    else if (stop_.criterion == "kineticEnergy")
+    {
+        Info << " (below " << stop_.share << " of its peak, after "
+             << stop_.after << " s)";
+    }
+    Info << nl << endl;
+}
+
+void caseRun::readGrains(const cloudState& cloud)
+{
+    grainDynamics& d = *flow_.grains;
+    d.grains.fromCloud(cloud, grainDensity_);
+    if (!continued_)
+    {
+        d.densityFromPressure();
+    }
+}
+
+void caseRun::readWater(const cloudState& cloud)
+{
+    waterDynamics& d = *flow_.water;
+    d.water.fromCloud(cloud);
+    if (!continued_)
+    {
+        d.densityFromPressure(cloud.scalars["S"]);
+    }
+}
+
+void caseRun::readState()
+{
+    const fileName dir = control_.path(control_.startTime());
+    const fileName stateFile(dir / "uniform" / "lpfState");
+    const dictionary state =
+        isFile(stateFile) ? readDictionary(stateFile) : dictionary();
+    continued_ = !state.empty();
+
+    pointField all;
+    for (const word& name : names_)
+    {
+        const cloudState cloud(readCloud(dir, name));
+        checkFields(cloud, dir, name, continued_);
+        all.append(cloud.positions);
+        name == "grains" ? readGrains(cloud) : readWater(cloud);
+    }
+    if (scene_.dimensions == 2 && all.size() > 0)
+    {
+        contact_->setPlane(all[0] & scene_.planeNormal);
+    }
+
+    boundBox domain;
+    if (continued_)
+    {
+        const uniformTime t = readUniformTime(dir);
+        control_.time = t.value;
+        control_.index = t.index;
+        control_.deltaT = t.deltaT;
+        control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
+        domain = boundBox(
+            state.get<point>("domainMin"), state.get<point>("domainMax")
+        );
+    }
+    else
+    {
+        domain = domainOf(ground_->bounds(), all, scene_);
+    }
+    const wordList names(flow_.names());
+    const std::vector<phaseDynamics*> phases = flow_.phases();
+    forAll (names, k)
+    {
+        phaseDynamics& phase = *phases[static_cast<std::size_t>(k)];
+        phase.setDomain(domain);
+        if (continued_)
+        {
+            phase.ledger.restore(needed(
+                state, balanceName(names[k]), "go on from an earlier time"
+            ));
+        }
+        else
+        {
+            phase.ledger.initialMass = phase.mass();
+        }
+    }
+
+    Info << "Start from " << control_.timeName(control_.startTime())
+         << (continued_ ? " (continued)" : "") << ":";
+    forAll (names, k)
+    {
+        const phaseDynamics& phase = *phases[static_cast<std::size_t>(k)];
+        Info << (k > 0 ? "; " : " ") << phase.particles().size()
+             << " particles of " << names[k] << ", " << phase.mass().value()
+             << " kg";
+    }
+    Info << nl << endl;
+}
+
+} // namespace lpf
+} // namespace Foam

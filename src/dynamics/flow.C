@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+std::vector<phaseDynamics*> flow::phases() const
+{
+    std::vector<phaseDynamics*> all;
+    if (grains)
+    {
+        all.push_back(grains.get());
+    }
+    if (water)
+    {
+        all.push_back(water.get());
+    }
+    return all;
+}
+
+wordList flow::names() const
+{
+    wordList all;
+    if (grains)
+    {
+        all.append("grains");
+    }
+    if (water)
+    {
+        all.append("water");
+    }
+    return all;
+}
+
+void flow::rates(scalar dt, scalar time)
+{
+    if (grains)
+    {
+        grains->rates(dt, time);
+    }
+    if (!water)
+    {
+        return;
+    }
+    if (!coupling)
+    {
+        water->rates(dt, time);
+        return;
+    }
+    water->arrange(time);
+    coupling->porosity();
+    water->divergence();
+    coupling->divergence();
+    water->correct(dt);
+    water->accelerations();
+    coupling->forces();
+}
+
+void flow::kick(scalar dt)
+{
+    if (grains)
+    {
+        grains->kick(dt);
+    }
+    if (water)
+    {
+        water->kick(dt);
+    }
+}
+
+void flow::drag(scalar dt)
+{
+    if (coupling)
+    {
+        coupling->drag(dt);
+    }
+}
+
+void flow::drift(scalar dt, scalar time)
+{
+    for (phaseDynamics* phase : phases())
+    {
+        phase->drift(dt, time);
+    }
+}
+
+timeStepLimit flow::stableDeltaT() const
+{
+    timeStepLimit limit = {GREAT, "none"};
+    if (grains)
+    {
+        limit.take(grains->stableDeltaT());
+    }
+    if (water)
+    {
+        limit.take(water->stableDeltaT());
+    }
+    if (coupling)
+    {
+        const elasticity& e = rheology->elastic();
+        limit.take(coupling->stableDeltaT(CFL, e.K() + 4 * e.G() / 3));
+    }
+    return limit;
+}
+
+energyState flow::energy() const
+{
+    energyState total;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->energy();
+    }
+    return total;
+}
+
+balance flow::ledger() const
+{
+    balance total;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->ledger;
+    }
+    return total;
+}
+
+scalar flow::mass() const
+{
+    scalar total = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->mass().value();
+    }
+    return total;
+}
+
+scalar flow::leftMass() const
+{
+    scalar total = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->ledger.leftMass.value();
+    }
+    return total;
+}
+
+int flow::size() const
+{
+    int total = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->particles().size();
+    }
+    return total;
+}
+
+scalar flow::maxSpeed() const
+{
+    scalar fastest = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        fastest = max(fastest, phase->maxSpeed());
+    }
+    return fastest;
+}
+
+scalar flow::movingMassShare(scalar threshold) const
+{
+    scalar moving = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        moving += phase->movingMass(threshold);
+    }
+    const scalar all = mass();
+    return all > 0 ? moving / all : 0;
+}
+
+vector flow::wallForceSum() const
+{
+    return (grains ? grains->wallForceSum() : vector(Zero))
+         + (water ? water->wallForceSum() : vector(Zero));
+}
+
+bool flow::massCloses() const
+{
+    const std::vector<phaseDynamics*> all = phases();
+    return std::all_of(
+        all.begin(),
+        all.end(),
+        [](const phaseDynamics* phase) { return phase->massCloses(); }
+    );
+}
+
+scalar flow::meanDrag(const phaseDynamics& phase) const
+{
+    if (!coupling)
+    {
+        return 0;
+    }
+    return phase.massMean(
+        &phase == grains.get() ? grains->grains.drag : water->water.drag
+    );
+}
+
+scalar flow::meanGradPForce(const phaseDynamics& phase) const
+{
+    return coupling && &phase == grains.get()
+             ? phase.massMean(grains->grains.gradPForce)
+             : 0;
+}
+
+std::size_t flow::bytes() const
+{
+    std::size_t total = coupling ? coupling->bytes() : 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        total += phase->bytes();
+    }
+    return total;
+}
+
+int flow::pairPasses() const
+{
+    return (grains ? grainDynamics::pairPasses : 0)
+         + (water ? waterDynamics::pairPasses : 0)
+         + (coupling ? interphase::pairPasses : 0);
+}
+
+} // namespace lpf
+} // namespace Foam

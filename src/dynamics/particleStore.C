@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particleStore.H"
+
+#include "orderedSum.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+namespace
+{
+
+template<class Array>
+void gather(Array& field, Array& spare, const indexArray& order, int n)
+{
+    lpfPairs::forChunks(
+        n,
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                spare[i] = field[order[i]];
+            }
+        }
+    );
+    field.swap(spare);
+}
+
+} // namespace
+
+void particleStore::permute(realArray& field, const indexArray& order)
+{
+    gather(field, spare_, order, size_);
+}
+
+void particleStore::permute(indexArray& field, const indexArray& order)
+{
+    gather(field, spareIndex_, order, size_);
+}
+
+void particleStore::resize(int n)
+{
+    size_ = n;
+    for (auto* group : {&x, &U, &a})
+    {
+        lpf::resize(*group, n);
+    }
+    for (auto* f : {&mass, &V, &spare_})
+    {
+        f->resize(n);
+    }
+    for (auto* f : {&id, &zone, &spareIndex_})
+    {
+        f->resize(n);
+    }
+}
+
+std::size_t particleStore::bytes() const
+{
+    return lpf::bytes(x) + lpf::bytes(U) + lpf::bytes(a) + mass.bytes()
+         + V.bytes() + spare_.bytes() + spareIndex_.bytes() + id.bytes()
+         + zone.bytes();
+}
+
+void particleStore::permute(const indexArray& order)
+{
+    permute(x, order);
+    permute(U, order);
+    permute(mass, order);
+    permute(id, order);
+    permute(zone, order);
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "phaseDynamics.H"
+
+#include "coulomb.H"
+#include "orderedSum.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+using lpfPairs::orderedSum;
+using lpfPairs::sumOf;
+
+namespace
+{
+
+//- A particle may come this near to the ground, as a share of the spacing
+constexpr scalar contactShare = 0.1;
+
+} // namespace
+
+phaseDynamics::phaseDynamics(
+    const lpfPairs::pairEngine& engine,
+    const sceneProperties& scene,
+    groundContact& contact,
+    particleStore& particles
+)
+    : particles_(particles), engine_(engine), scene_(scene), contact_(contact),
+      lattice_(scene.largestH, scene.cyclic), acrossPlane_{}
+{
+    if (scene_.dimensions == 2)
+    {
+        const vector& e = scene_.planeNormal;
+        acrossPlane_ = dyad(1.0, lpfPairs::Vec<double>{e.x(), e.y(), e.z()});
+    }
+}
+
+void phaseDynamics::sort()
+{
+    const int n = particles_.size();
+    order_.resize(n);
+    lattice_.sort(particles_.x, n, order_, cells_);
+    if (cells_.moved)
+    {
+        particles_.permute(order_);
+    }
+}
+
+void phaseDynamics::seeGround(bool withShare)
+{
+    const int n = particles_.size();
+    slot_.resize(n);
+
+    lpfPairs::wallPass p = {};
+    p.cells = cells_.grid;
+    contact_.present(p);
+    nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
+    walls_.resize(static_cast<std::size_t>(nSlots_));
+
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.withShare = withShare;
+    p.layerDepth = scene_.spacing;
+    p.behind = contactShare * scene_.spacing;
+    p.outOfSight = scene_.spacing;
+    p.x = particles_.x[0].data();
+    p.y = particles_.x[1].data();
+    p.z = particles_.x[2].data();
+    p.slot = slot_.data();
+    p.sums = walls_.data();
+    engine_.wall(p);
+}
+
+namespace
+{
+
+//- Shift that brings x back into the cyclic box
+vector wrapShift(const vector& x, const cyclicBox& box)
+{
+    vector shift(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (box.period[d] > 0)
+        {
+            if (x[d] < box.lower[d])
+            {
+                shift[d] = box.period[d];
+            }
+            else if (x[d] >= box.lower[d] + box.period[d])
+            {
+                shift[d] = -box.period[d];
+            }
+        }
+    }
+    return shift;
+}
+
+} // namespace
+
+void phaseDynamics::wrapCyclic()
+{
+    ledger.wrapped +=
+        orderedSum<sumOf<scalar>>(
+            particles_.size(),
+            [&](int i)
+            {
+                const point x = at(particles_.x, i);
+                const vector shift = wrapShift(x, scene_.cyclic);
+                set(particles_.x, i, x + shift);
+                return sumOf<scalar>{-particles_.mass[i] * (scene_.g & shift)};
+            }
+        ).value;
+}
+
+bool phaseDynamics::mayTouchGround(int i, const vector& step) const
+{
+    if (slot_[i] < 0)
+    {
+        return false;
+    }
+    const lpfPairs::wallRecord& wall =
+        walls_[static_cast<std::size_t>(slot_[i])];
+    const vector n(wall.normal[0], wall.normal[1], wall.normal[2]);
+    return wall.distance + (n & step) < contactShare * scene_.spacing;
+}
+
+// A particle that would come nearer to the ground than a tenth of the spacing
+// is set back and loses its approach, with friction on that impulse  (T 4.7)
+bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
+{
+    const scalar closest = contactShare * scene_.spacing;
+    const groundHit hit = contact_.signedDistance(x, scene_.spacing);
+    if (!hit.found || hit.distance >= closest)
+    {
+        return false;
+    }
+    const vector before = U;
+    const vector move = (closest - hit.distance) * hit.normal;
+    const scalar approach = max(scalar(0), -(U & hit.normal));
+    const vector stopped = U + approach * hit.normal;
+    x += move;
+    U = afterFriction(stopped, hit.normal, groundFriction(hit.zone) * approach);
+    s.impulse += m * approach * hit.normal;
+    s.normal += m * approach;
+    s.friction += m * (U - stopped);
+    s.energy +=
+        0.5 * m * (magSqr(before) - magSqr(stopped)) + m * (scene_.g & move);
+    s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
+    return true;
+}
+
+void phaseDynamics::drift(scalar dt, scalar time)
+{
+    constexpr int corners = 4; // a corner of three planes needs three
+
+    const driftSums sums = orderedSum<driftSums>(
+        particles_.size(),
+        [&](int i)
+        {
+            driftSums s;
+            const scalar m = particles_.mass[i];
+            vector U = at(particles_.U, i);
+            const vector step = U * dt;
+            vector x = at(particles_.x, i) + step;
+
+            bool touches = mayTouchGround(i, step);
+            for (int k = 0; touches && k < corners; ++k)
+            {
+                touches = setBack(m, x, U, s);
+            }
+
+            set(particles_.x, i, x);
+            set(particles_.U, i, U);
+            return s;
+        }
+    );
+
+    ledger.projectionImpulse += sums.impulse;
+    ledger.projectionNormalImpulse += sums.normal;
+    ledger.projection += sums.energy;
+    ledger.frictionImpulse += sums.friction;
+    ledger.friction += sums.frictionEnergy;
+
+    if (cmptMax(scene_.cyclic.period) > 0)
+    {
+        wrapCyclic();
+    }
+    removeLeavers(time + dt);
+}
+
+void phaseDynamics::removeLeavers(scalar time)
+{
+    const int n = particles_.size();
+    int kept = 0;
+    indexArray order;
+
+    for (int i = 0; i < n; ++i)
+    {
+        const point x = at(particles_.x, i);
+        if (scene_.domain.contains(x))
+        {
+            if (kept < i)
+            {
+                order[kept] = i;
+            }
+            ++kept;
+            continue;
+        }
+        if (kept == i)
+        {
+            order.resize(n);
+            for (int k = 0; k < i; ++k)
+            {
+                order[k] = k;
+            }
+        }
+        const scalar m = particles_.mass[i];
+        const vector U = at(particles_.U, i);
+        ledger.leavers.push_back({time, particles_.id[i], x, U, m});
+        ledger.leftMass.add(m);
+        ledger.leftMomentum += m * U;
+        ledger.left +=
+            0.5 * m * magSqr(U) - m * (scene_.g & x) + storedEnergy(i);
+    }
+    if (kept < n)
+    {
+        for (int k = kept; k < n; ++k)
+        {
+            order[k] = kept > 0 ? order[kept - 1] : 0;
+        }
+        particles_.permute(order);
+        particles_.truncate(kept);
+    }
+}
+
+energyState phaseDynamics::energy() const
+{
+    return orderedSum<energyState>(
+        particles_.size(),
+        [&](int i)
+        {
+            const scalar m = particles_.mass[i];
+            const vector U = at(particles_.U, i);
+            energyState e;
+            e.kinetic = 0.5 * m * magSqr(U);
+            e.potential = -m * (scene_.g & at(particles_.x, i));
+            e.elastic = storedEnergy(i);
+            e.momentum = m * U;
+            return e;
+        }
+    );
+}
+
+lpfPairs::exactSum phaseDynamics::mass() const
+{
+    lpfPairs::exactSum total;
+    for (int i = 0; i < particles_.size(); ++i)
+    {
+        total.add(particles_.mass[i]);
+    }
+    return total;
+}
+
+bool phaseDynamics::massCloses() const
+{
+    lpfPairs::exactSum accounted = mass();
+    accounted += ledger.leftMass;
+    return accounted == ledger.initialMass;
+}
+
+scalar phaseDynamics::massMean(const realArrays<3>& a) const
+{
+    const scalar sum =
+        orderedSum<sumOf<scalar>>(
+            particles_.size(),
+            [&](int i)
+            { return sumOf<scalar>{particles_.mass[i] * mag(at(a, i))}; }
+        ).value;
+    return sum / max(mass().value(), VSMALL);
+}
+
+scalar phaseDynamics::maxSpeed() const
+{
+    return sqrt(lpfPairs::largest(
+        particles_.size(), [&](int i) { return magSqr(at(particles_.U, i)); }
+    ));
+}
+
+scalar phaseDynamics::movingMass(scalar threshold) const
+{
+    return orderedSum<sumOf<scalar>>(
+               particles_.size(),
+               [&](int i)
+               {
+                   const bool moves =
+                       magSqr(at(particles_.U, i)) > sqr(threshold);
+                   return sumOf<scalar>{moves ? particles_.mass[i] : 0};
+               }
+    ).value;
+}
+
+scalar phaseDynamics::maxAcceleration() const
+{
+    return sqrt(lpfPairs::largest(
+        particles_.size(), [&](int i) { return magSqr(at(particles_.a, i)); }
+    ));
+}
+
+std::size_t phaseDynamics::bytes() const
+{
+    return particles_.bytes() + order_.bytes() + slot_.bytes()
+         + walls_.capacity() * sizeof(lpfPairs::wallRecord)
+         + cells_.start.capacity() * sizeof(int);
+}
+
+} // namespace lpf
+} // namespace Foam

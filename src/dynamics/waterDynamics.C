@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "waterDynamics.H"
+
+#include "orderedSum.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+using lpfPairs::orderedSum;
+using lpfPairs::sumOf;
+
+namespace
+{
+
+//- Water this thin counts as so much in its volume, as a share of rho0: the
+//  volume of a drop would grow without bound
+constexpr scalar thinnest = 0.5;
+
+//- And its density stays above this
+constexpr scalar lowestDensity = 0.01;
+
+lpfPairs::SymmTensor3<double> thirdMoment(const lpfPairs::wallRecord& r)
+{
+    const double* a = r.N3;
+    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
+}
+
+lpfPairs::SymmTensor<double> secondMoment(const lpfPairs::wallRecord& r)
+{
+    const double* a = r.D2;
+    return {a[0], a[1], a[2], a[3], a[4], a[5]};
+}
+
+vector toVector(const lpfPairs::Vec<double>& a)
+{
+    return vector(a.x, a.y, a.z);
+}
+
+lpfPairs::Vec<double> toVec(const vector& a)
+{
+    return {a.x(), a.y(), a.z()};
+}
+
+} // namespace
+
+waterDynamics::waterDynamics(
+    const lpfPairs::pairEngine& engine,
+    const sceneProperties& scene,
+    const waterScheme& scheme,
+    const equationOfState& state,
+    const viscosityModel& viscosity,
+    groundContact& contact,
+    bool withGrains
+)
+    : phaseDynamics(engine, scene, contact, water), scheme_(scheme),
+      state_(state), viscosity_(viscosity), withGrains_(withGrains),
+      water(withGrains)
+{
+}
+
+void waterDynamics::densityFromPressure(const scalarField& saturation)
+{
+    for (int i = 0; i < water.size(); ++i)
+    {
+        const scalar S = saturation[i];
+        water.rho[i] = S < 1 ? S * state_.rho0() : state_.density(water.p[i]);
+    }
+}
+
+void waterDynamics::arrange(scalar time)
+{
+    contact_.update(time, lattice_);
+    sort();
+    seeGround(true);
+    near_.resize(walls_.size());
+}
+
+// V = m/(theta rho): the bulk volume that a particle of water fills, grains
+// included                                                          (T 5.9)
+void waterDynamics::volumes()
+{
+    const int n = water.size();
+    const scalar least = thinnest * state_.rho0();
+    lpfPairs::forChunks(
+        n,
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                water.V[i] = water.mass[i]
+                           / (max(water.rho[i], least) * scene_.planeThickness);
+            }
+        }
+    );
+    if (withGrains_)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            water.V[i] /= water.theta[i];
+        }
+    }
+    water.V.pad(n, 0);
+    water.rho.pad(n, state_.rho0());
+}
+
+void waterDynamics::divergence()
+{
+    volumes();
+
+    lpfPairs::waterContinuityPass p = {};
+    p.cells = cells_.grid;
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.x = water.x[0].data();
+    p.y = water.x[1].data();
+    p.z = water.x[2].data();
+    p.u = water.U[0].data();
+    p.v = water.U[1].data();
+    p.w = water.U[2].data();
+    p.V = water.V.data();
+    p.rho = water.rho.data();
+    p.rho0 = state_.rho0();
+    for (direction d = 0; d < 3; ++d)
+    {
+        p.hydrostatic[d] = state_.rho0() * scene_.g[d] / sqr(state_.c0());
+    }
+    p.divergence = water.rate.data();
+    p.curl = water.curl.data();
+    p.diffusion = water.diffusion.data();
+    engine_.waterContinuity(p);
+    addGround();
+}
+
+// The velocity goes on behind the ground as its mirror image, so that
+//     div v += 2 v.sum_q A E n                                      (T 5.10)
+void waterDynamics::addGround()
+{
+    lpfPairs::forChunks(
+        water.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                if (slot_[i] >= 0)
+                {
+                    const auto slot = static_cast<std::size_t>(slot_[i]);
+                    nearWall& near = near_[slot];
+                    near.areaNormal = contracted(thirdMoment(walls_[slot]));
+                    water.rate[i] +=
+                        2 * (at(water.U, i) & toVector(near.areaNormal));
+                }
+            }
+        }
+    );
+}
+
+// rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
+// and Balsara's switch from div and curl,
+//     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
+void waterDynamics::correct(scalar dt)
+{
+    const int n = water.size();
+    const scalar diffusivity =
+        scheme_.densityDiffusion * scene_.h * state_.c0();
+    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
+    const scalar lowest = lowestDensity * state_.rho0();
+
+    ledger.diffusion +=
+        orderedSum<sumOf<scalar>>(
+            n,
+            [&](int i)
+            {
+                const scalar half = 0.5 * dt * water.rate[i];
+                const scalar div = mag(water.rate[i]);
+                const scalar rho =
+                    max(lowest, water.rho[i] * (1 - half) / (1 + half));
+                water.rho[i] =
+                    max(lowest, rho + dt * diffusivity * water.diffusion[i]);
+                water.curl[i] = div / (div + water.curl[i] + quiet);
+                return sumOf<scalar>{
+                    water.mass[i]
+                    * (state_.energy(rho) - state_.energy(water.rho[i]))};
+            }
+        ).value;
+    water.rho.pad(n, state_.rho0());
+    water.curl.pad(n, 0);
+    state_.pressure(n, water.rho.data(), water.p.data());
+    water.p.pad(n, 0);
+}
+
+void waterDynamics::viscosityOfMixture()
+{
+    const int n = water.size();
+    eta_.resize(n);
+    viscosity_.mu(n, eta_.data());
+    if (withGrains_)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            eta_[i] *= water.theta[i];
+        }
+    }
+    eta_.pad(n, 0);
+}
+
+lpfPairs::waterForcePass waterDynamics::forcePass()
+{
+    lpfPairs::waterForcePass p = {};
+    p.cells = cells_.grid;
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.thickness = scene_.planeThickness;
+    p.x = water.x[0].data();
+    p.y = water.x[1].data();
+    p.z = water.x[2].data();
+    p.V = water.V.data();
+    p.m = water.mass.data();
+    p.P = water.p.data();
+    p.ax = water.a[0].data();
+    p.ay = water.a[1].data();
+    p.az = water.a[2].data();
+    p.alpha = scheme_.artificialViscosity;
+    p.soundSpeed = state_.c0();
+    p.u = water.U[0].data();
+    p.v = water.U[1].data();
+    p.w = water.U[2].data();
+    p.rho = water.rho.data();
+    p.balsara = water.curl.data();
+    p.bx = water.friction[0].data();
+    p.by = water.friction[1].data();
+    p.bz = water.friction[2].data();
+    p.artificial = water.artificial.data();
+    p.viscous = water.viscous.data();
+    if (viscosity_.largest() > 0)
+    {
+        viscosityOfMixture();
+        p.eta = eta_.data();
+    }
+    return p;
+}
+
+// The ground carries the pressure of the water before it, adjoint to (T 5.10),
+// and what the water behind a lattice of its images would add: the rise of
+// pressure with depth, and along the ground the pressure of the missing part of
+// the kernel. A is the acceleration by the pairs.
+//     f = 2 V P sum_q A E n                                         (T 5.12)
+//       - V rho (sum_q A D n n).g
+//       + m (1/max(0.45, 1 - gam) - 1) (I - n n) A
+void waterDynamics::pressureOfGround(int i, nearWall& near) const
+{
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    const lpfPairs::wallRecord& wall = walls_[slot];
+    const scalar V = water.V[i] * scene_.planeThickness;
+    const vector nA = toVector(near.areaNormal);
+    const scalar magnitude = mag(nA);
+    const vector n = magnitude > 0 ? vector(nA / magnitude) : vector(0, 0, 1);
+
+    const vector A = at(water.a, i);
+    const scalar share = 1 / max(0.45, 1 - wall.share) - 1;
+    const vector along = water.mass[i] * share * (A - (A & n) * n);
+    const vector deeper =
+        (-V * water.rho[i]) * toVector(secondMoment(wall) & toVec(scene_.g));
+
+    const vector adjoint = (2 * V * water.p[i]) * nA;
+    near.force = adjoint + deeper; // (T 5.12)
+    near.carried = (near.force & n) > 0;
+    near.force = near.carried ? vector(near.force + along) : vector(Zero);
+    near.correction = near.force - adjoint;
+}
+
+void waterDynamics::addForcesOfGround()
+{
+    lpfPairs::forChunks(
+        water.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                vector a = at(water.a, i) + at(water.friction, i) + scene_.g;
+                if (slot_[i] >= 0)
+                {
+                    nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
+                    pressureOfGround(i, near);
+                    a += near.force / water.mass[i];
+                }
+                set(water.a, i, a);
+            }
+        }
+    );
+}
+
+void waterDynamics::accelerations()
+{
+    const lpfPairs::waterForcePass pass = forcePass();
+    engine_.waterForce(pass);
+    artificialPower_ = viscousPower_ = 0;
+    if (pass.alpha > 0 || pass.eta)
+    {
+        const int n = water.size();
+        artificialPower_ =
+            orderedSum<sumOf<scalar>>(
+                n, [&](int i) { return sumOf<scalar>{water.artificial[i]}; }
+            ).value;
+        viscousPower_ =
+            orderedSum<sumOf<scalar>>(
+                n, [&](int i) { return sumOf<scalar>{water.viscous[i]}; }
+            ).value;
+    }
+    addForcesOfGround();
+}
+
+void waterDynamics::rates(scalar dt, scalar time)
+{
+    arrange(time);
+    divergence();
+    correct(dt);
+    accelerations();
+}
+
+namespace
+{
+
+//- What one kick adds to the ledger
+struct kickSums
+{
+    vector gravity = Zero, wall = Zero;
+    scalar wallNormal = 0, correction = 0;
+
+    void operator+=(const kickSums& b)
+    {
+        gravity += b.gravity;
+        wall += b.wall;
+        wallNormal += b.wallNormal;
+        correction += b.correction;
+    }
+};
+
+} // namespace
+
+void waterDynamics::kick(scalar dt)
+{
+    const kickSums sums = orderedSum<kickSums>(
+        water.size(),
+        [&](int i)
+        {
+            kickSums s;
+            const vector before = at(water.U, i);
+            const vector U = before + at(water.a, i) * dt;
+            s.gravity = water.mass[i] * dt * scene_.g;
+            if (slot_[i] >= 0)
+            {
+                const nearWall& near =
+                    near_[static_cast<std::size_t>(slot_[i])];
+                s.wall = near.force * dt;
+                s.wallNormal = mag(near.force) * dt;
+                s.correction = -0.5 * dt * (near.correction & (before + U));
+            }
+            set(water.U, i, U);
+            return s;
+        }
+    );
+    ledger.gravityImpulse += sums.gravity;
+    ledger.wallImpulse += sums.wall;
+    ledger.wallNormalImpulse += sums.wallNormal;
+    ledger.wallTension += sums.correction;
+    ledger.artificial += artificialPower_ * dt;
+    ledger.viscous += viscousPower_ * dt;
+}
+
+timeStepLimit waterDynamics::stableDeltaT() const
+{
+    const scalar h = scene_.h;
+    timeStepLimit limit = {
+        scheme_.CFL * h / (state_.c0() + maxSpeed()), "sound"};
+    const scalar acceleration = maxAcceleration();
+    if (acceleration > 0)
+    {
+        limit.take({0.25 * sqrt(h / acceleration), "force"});
+    }
+    if (viscosity_.largest() > 0)
+    {
+        limit.take(
+            {0.125 * sqr(h) * state_.rho0() / viscosity_.largest(), "viscosity"}
+        );
+    }
+    return limit;
+}
+
+vector waterDynamics::wallForceSum() const
+{
+    vector total = Zero;
+    for (const nearWall& near : near_)
+    {
+        total += near.force;
+    }
+    return total;
+}
+
+scalar waterDynamics::storedEnergy(int i) const
+{
+    return water.mass[i] * state_.energy(water.rho[i]);
+}
+
+std::size_t waterDynamics::bytes() const
+{
+    return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
+         + eta_.bytes();
+}
+
+} // namespace lpf
+} // namespace Foam

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Passes over pairs of water. The physics is in waterTerms.H.
+
+#include "enginePasses.H"
+#include "pairLoops.H"
+#include "pairTerms.H"
+#include "waterTerms.H"
+#include "wendlandC2.H"
+
+namespace lpfPairs
+{
+namespace
+{
+
+LPF_ONE_BODY void continuityOfParticle(
+    const waterContinuityPass& p, const wendlandC2& W, const runs& around, int i
+)
+{
+    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
+    const pack rho_i(p.rho[i]), rho0(p.rho0);
+    const double* H = p.hydrostatic;
+    const Vec<pack> hydrostatic = {pack(H[0]), pack(H[1]), pack(H[2])};
+    Continuity<pack> total = {};
+
+    overPairs(
+        around,
+        broadcast(p.x, p.y, p.z, i),
+        p.x,
+        p.y,
+        p.z,
+        W.supportSqr(),
+        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {
+            const pack VF = load(p.V + j) * W.gradByDistance(rSqr);
+            addVelocityGradient(
+                total, VF, x_ij, v_i - loadVec(p.u, p.v, p.w, j)
+            );
+            // (x_j - x_i).gradW/r^2 = -F
+            total.diffusion += densityDiffusion(
+                VF, x_ij, rho_i, load(p.rho + j), rho0, hydrostatic
+            );
+        }
+    );
+
+    p.divergence[i] = sum(total.divergence);
+    const Vec<double> curl = {
+        sum(total.curl, 0), sum(total.curl, 1), sum(total.curl, 2)};
+    p.curl[i] = squareRoot(magSqr(curl));
+    p.diffusion[i] = sum(total.diffusion);
+}
+
+enum class friction
+{
+    none,
+    artificial, //!< Monaghan's with Balsara's switch
+    viscous,    //!< eta
+    both
+};
+
+constexpr bool hasArtificial(friction kind)
+{
+    return kind == friction::artificial || kind == friction::both;
+}
+
+constexpr bool hasViscous(friction kind)
+{
+    return kind == friction::viscous || kind == friction::both;
+}
+
+//- Powers lost at i per unit volume and mass
+struct lostPower
+{
+    pack artificial = pack(0.0), viscous = pack(0.0);
+};
+
+template<friction kind>
+void addFriction(
+    const waterForcePass& p,
+    const wendlandC2& W,
+    int i,
+    int j,
+    const Vec<pack>& x_ij,
+    const pack& rSqr,
+    Vec<pack>& perMass,
+    Vec<pack>& perVolume,
+    lostPower& lost
+)
+{
+    const Vec<pack> v_ij =
+        broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
+    const pack F = W.gradByDistance(rSqr);
+    const pack hSqr(p.h * p.h), half(0.5);
+
+    if constexpr (hasArtificial(kind))
+    {
+        const pack rhoMean = half * (pack(p.rho[i]) + load(p.rho + j));
+        const pack f = half * (pack(p.balsara[i]) + load(p.balsara + j));
+        const pack Pi = artificialViscosity(
+            x_ij,
+            v_ij,
+            rSqr,
+            f * pack(p.alpha * p.h * p.soundSpeed),
+            hSqr,
+            rhoMean
+        );
+        const pack mPiF = load(p.m + j) * Pi * F / pack(p.thickness);
+        perMass += -mPiF * x_ij;
+        lost.artificial += half * mPiF * (v_ij & x_ij);
+    }
+    if constexpr (hasViscous(kind))
+    {
+        const pack factor = viscousFactor(
+            pack(load(p.V + j) * F),
+            pack(pack(p.eta[i]) + load(p.eta + j)),
+            pack(p.dimensions + 2.0),
+            x_ij,
+            v_ij,
+            rSqr,
+            hSqr
+        );
+        perVolume += factor * x_ij;
+        lost.viscous += -half * factor * (v_ij & x_ij);
+    }
+}
+
+template<friction kind>
+LPF_ONE_BODY void forceOnWater(
+    const waterForcePass& p, const wendlandC2& W, const runs& around, int i
+)
+{
+    const pack P_i(p.P[i]);
+    Vec<pack> total = {}, perMass = {}, perVolume = {};
+    lostPower lost;
+
+    overPairs(
+        around,
+        broadcast(p.x, p.y, p.z, i),
+        p.x,
+        p.y,
+        p.z,
+        W.supportSqr(),
+        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {
+            const pack VF = load(p.V + j) * W.gradByDistance(rSqr);
+            addPressureForce(total, VF, P_i, load(p.P + j), x_ij);
+            if constexpr (kind != friction::none)
+            {
+                addFriction<kind>(
+                    p, W, i, j, x_ij, rSqr, perMass, perVolume, lost
+                );
+            }
+        }
+    );
+
+    const double volume = p.thickness * p.V[i], s = volume / p.m[i];
+    double* const a[3] = {p.ax + i, p.ay + i, p.az + i};
+    for (int c = 0; c < 3; ++c)
+    {
+        *a[c] = s * sum(total, c);
+    }
+    if constexpr (kind != friction::none)
+    {
+        double* const b[3] = {p.bx + i, p.by + i, p.bz + i};
+        for (int c = 0; c < 3; ++c)
+        {
+            *b[c] = s * sum(perVolume, c) + sum(perMass, c);
+        }
+        p.artificial[i] = p.m[i] * sum(lost.artificial);
+        p.viscous[i] = volume * sum(lost.viscous);
+    }
+}
+
+template<friction kind>
+void force(const waterForcePass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forParticles(
+        p.cells,
+        p.cells,
+        [&](const runs& around, int i) { forceOnWater<kind>(p, W, around, i); }
+    );
+}
+
+} // namespace
+
+void waterContinuity(const waterContinuityPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forParticles(
+        p.cells,
+        p.cells,
+        [&](const runs& around, int i)
+        { continuityOfParticle(p, W, around, i); }
+    );
+}
+
+void waterForce(const waterForcePass& p)
+{
+    if (p.alpha > 0)
+    {
+        p.eta ? force<friction::both>(p) : force<friction::artificial>(p);
+    }
+    else
+    {
+        p.eta ? force<friction::viscous>(p) : force<friction::none>(p);
+    }
+}
+
+} // namespace lpfPairs

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*
+Class        Foam::lpf::equationsOfState::Tait
+Description  P = max(0, B ((rho/rho0)^gamma - 1)),  B = rho0 c0^2/gamma (T 5.2)
+             e = B/rho0 ((rho/rho0)^(gamma-1) - 1)/(gamma - 1)
+                 + B/rho0 (rho0/rho - 1)  for rho > rho0, else 0    (T 5.7)
+             Gao et al. (2023) eq. 3, with gamma = 7.
+Usage        equationOfState Tait;
+             TaitCoeffs { gamma 7; soundSpeed auto; }              // [-] [m/s]
+*/
+#include "equationOfState.H"
+#include "inputCheck.H"
+#include "orderedSum.H"
+
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace lpf
+{
+namespace equationsOfState
+{
+
+class Tait : public equationOfState
+{
+    scalar gamma_, B_;
+
+    static const dictionary& coeffsOf(const dictionary& phase)
+    {
+        const dictionary* coeffs = optionalDictionary(phase, "TaitCoeffs");
+        return coeffs ? *coeffs : dictionary::null;
+    }
+
+public:
+    TypeName("Tait");
+
+    Tait(const dictionary& phase, const soundSpeedScale& scale)
+        : equationOfState(phase, coeffsOf(phase), scale)
+    {
+        const dictionary& coeffs = coeffsOf(phase);
+        allowOnly(coeffs, {"gamma", "soundSpeed"});
+        bounds exponent;
+        exponent.lower = 1;
+        exponent.lowerOpen = true;
+        exponent.upper = 20;
+        exponent.reason = "water has 7";
+        gamma_ = readNumber(coeffs, "gamma", dimless, exponent, 7);
+        B_ = rho0_ * sqr(c0_) / gamma_;
+    }
+
+    void pressure(int n, const double* rho, double* p) const override
+    {
+        lpfPairs::forChunks(
+            n,
+            [&](int begin, int end, int)
+            {
+                for (int i = begin; i < end; ++i)
+                {
+                    const scalar r = rho[i] / rho0_;
+                    p[i] =
+                        r > 1 ? B_ * (std::pow(r, gamma_) - 1) : 0; // (T 5.2)
+                }
+            }
+        );
+    }
+
+    scalar density(scalar p) const override
+    {
+        return rho0_ * std::pow(1 + max(p, scalar(0)) / B_, 1 / gamma_);
+    }
+
+    scalar energy(scalar rho) const override
+    {
+        const scalar r = rho / rho0_;
+        return r > 1 ? B_ / rho0_
+                           * ((std::pow(r, gamma_ - 1) - 1) / (gamma_ - 1)
+                              + 1 / r - 1) // (T 5.7)
+                     : 0;
+    }
+};
+
+defineTypeNameAndDebug(Tait, 0);
+addToRunTimeSelectionTable(equationOfState, Tait, dictionary);
+
+} // namespace equationsOfState
+} // namespace lpf
+} // namespace Foam
