@@ -334,6 +334,7 @@ void scenePreparation::checkCrs() const
 void scenePreparation::checkPeriod(const cyclicPair& pair, const scalar spacing)
     const
 {
+    const bool isGrains = mag(spacing - grid_.spacing) <= 0;
     const scalar period = pair.to - pair.from;
     const word axis = pair.axis == 0 ? "x" : "y";
     const scalar support = 2 * smoothingRatio * spacing;
@@ -357,11 +358,14 @@ void scenePreparation::checkPeriod(const cyclicPair& pair, const scalar spacing)
             axis,
             "The period is " + Foam::name(n) + " spacings of "
                 + Foam::name(spacing)
-                + " m. It must be a whole number of them: the lattice goes"
+                + (isGrains ? " m. " : " m, that of the water. ")
+                + "It must be a whole number of them: the lattice goes"
                   " on through the pair, else particles start too near to"
-                  " each other or with a gap there. Take a spacing of "
+                  " each other or with a gap there. "
+                + (isGrains ? "Take a spacing of " : "Take a water spacing of ")
                 + Foam::name(period / std::round(n))
-                + " m or change the period."
+                + (isGrains ? " m or change the period."
+                            : " m (spacingRatio) or change the period.")
         );
     }
 }

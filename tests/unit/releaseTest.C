@@ -527,5 +527,5 @@ TEST_CASE("the examples of the manual are read", "[release]")
         CHECK(region->plan().span().x() > 0);
         ++n;
     }
-    CHECK(n == 4);
+    CHECK(n == 6);
 }
