@@ -13,7 +13,8 @@ symmTensor
 stressAtRest(const releaseBody& body, const vector& g, const scalar depth)
 {
     const vector e3 = body.axes.row(2);
-    const scalar bulkDensity = body.mass / body.volume;
+    const scalar bulkDensity =
+        max(body.mass / body.volume - body.buoyancy, scalar(0));
     const scalar vertical = -bulkDensity * (-(g & e3)) * depth;
     return vertical
          * (body.K0 * symmTensor(symmTensor::I) + (1 - body.K0) * sqr(e3));
@@ -41,14 +42,13 @@ cloudState grainsAtRest(
     vectorField U(n);
     symmTensorField sigma(n, Zero);
     label i = 0;
-    forAll (bodies, b)
+    for (const releaseBody& body : bodies)
     {
-        const releaseBody& body = bodies[b];
         for (const seed& s : body.seeds)
         {
             cloud.positions[i] = s.x;
             id[i] = i;
-            zone[i] = b;
+            zone[i] = body.release;
             mass[i] = body.mass / body.seeds.size();
             alpha[i] = body.solidFraction;
             U[i] = body.velocity;

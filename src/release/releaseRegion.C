@@ -25,7 +25,7 @@ releaseRegion::releaseRegion(const dictionary& dict, const wordList& keywords)
 {
     wordList valid(keywords);
     valid.append(wordList{
-        "type", "zone", "velocity", "spacing", "lattice", "grains"});
+        "type", "zone", "velocity", "spacing", "lattice", "grains", "water"});
     allowOnly(dict, valid);
 }
 
@@ -45,6 +45,20 @@ scalar releaseRegion::lowering(scalar, scalar) const
 void releaseRegion::place(const releaseScene& scene)
 {
     scene_ = &scene;
+}
+
+
+autoPtr<releaseRegion> releaseRegion::above(const scalar volume) const
+{
+    refuse(
+        dict_.subDict("water"),
+        "excess",
+        "A release of type " + type()
+            + " has no walls that would hold the excess of "
+            + Foam::name(volume)
+            + " m3 on top of it. Use saturation 1 and a second release of water"
+              " alone, or a release of type box, tank or fill"
+    );
 }
 
 } // namespace lpf

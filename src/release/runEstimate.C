@@ -25,7 +25,10 @@ constexpr scalar courant = 0.3;
 
 // Memory of a dry particle with its share of neighbour search and ground,
 // as the flume printed
-constexpr scalar bytesPerParticle = 700;
+constexpr scalar bytesPerGrain = 700;
+
+// The same of water, which has no stress
+constexpr scalar bytesPerWater = 400;
 
 // Time of a whole step over that of its kinematics pass, in the middle of a
 // flow (tests/cases/benchmark/estimate measures it)
@@ -62,10 +65,11 @@ struct probe
     {
         for (int k = 0; k < perEdge * perEdge * (perEdge - 1); ++k)
         {
+            const int layer = k / (perEdge * perEdge);
             const double at[7] = {
                 x + (k % perEdge + 0.5) / perEdge,
                 y + (k / perEdge % perEdge + 0.5) / perEdge,
-                z + (k / (perEdge * perEdge) + 0.5) / (perEdge - 1),
+                z + (layer + 0.5) / (perEdge - 1),
                 0.01 * y,
                 0.01 * z,
                 0.01 * x,
@@ -121,7 +125,7 @@ runEstimate estimateRun(const runSize& size)
         * max(run.maxSpeed / 2, Foam::sqrt(size.g * size.releaseHeight));
     run.timeStep = courant * size.smoothingLength / run.waveSpeed;
     run.steps = size.endTime / run.timeStep;
-    run.memory = size.particles * bytesPerParticle;
+    run.memory = size.grains * bytesPerGrain + size.water * bytesPerWater;
     return run;
 }
 

@@ -35,7 +35,14 @@ scenePreparation::scenePreparation(
       boundaries_(readDictionary(caseDir / "constant" / "boundaryProperties"))
 {
     allowOnly(
-        dict_, {"spacing", "lattice", "origin", "maxSpeed", "ground", "release"}
+        dict_,
+        {"spacing",
+         "lattice",
+         "origin",
+         "maxSpeed",
+         "water",
+         "ground",
+         "release"}
     );
     if (!(mag(g_) > 0))
     {
@@ -43,23 +50,21 @@ scenePreparation::scenePreparation(
             << "constant/g is zero: nothing would move, and there is no"
             << " upwards for the releases." << exit(FatalError);
     }
-    readMaterial();
+    readPhases();
     readBoundaries();
     readEndTime();
     readReleases();
     makeGround();
     checkCrs();
     fillReleases();
-    cloud_ = grainsAtRest(bodies_, material_, g_, grid_.spacing);
+    grains_ = grainsAtRest(bodies_, material_, g_, grid_.spacing);
+    water_ = waterAtRest(waters_, sceneOfWater());
     checkBorder();
 }
 
 
-void scenePreparation::readMaterial()
+void scenePreparation::readGrains(const dictionary& grains)
 {
-    const dictionary phases =
-        readDictionary(caseDir_ / "constant" / "phaseProperties");
-    const dictionary& grains = phases.subDict("grains");
     material_.rho = readNumber(
         grains,
         "rho",
@@ -194,6 +199,8 @@ void scenePreparation::readReleases()
             << "No release is given: there would be no particle."
             << exit(FatalIOError);
     }
+    checkPhasesUsed();
+    readSpacingRatio();
     Info << nl;
 }
 
@@ -213,6 +220,7 @@ void scenePreparation::addRelease(const dictionary& dict, const word& name)
         );
     }
     regions_.append(releaseRegion::New(dict, {caseDir_, own.axes}));
+    checkPhases(dict);
     regionDicts_.append(&dict);
     names_.append(name);
 }
@@ -323,38 +331,52 @@ void scenePreparation::checkCrs() const
 }
 
 
+void scenePreparation::checkPeriod(const cyclicPair& pair, const scalar spacing)
+    const
+{
+    const bool isGrains = mag(spacing - grid_.spacing) <= 0;
+    const scalar period = pair.to - pair.from;
+    const word axis = pair.axis == 0 ? "x" : "y";
+    const scalar support = 2 * smoothingRatio * spacing;
+    if (period < support)
+    {
+        refuse(
+            boundaries_.subDict("cyclic"),
+            axis,
+            "The period of " + Foam::name(period)
+                + " m is shorter than the support of the kernel, "
+                + Foam::name(support)
+                + " m: a grain would be its own neighbour. Write a longer "
+                  "period or take a smaller spacing"
+        );
+    }
+    const scalar n = period / spacing;
+    if (mag(n - std::round(n)) > typed * n)
+    {
+        refuse(
+            boundaries_.subDict("cyclic"),
+            axis,
+            "The period is " + Foam::name(n) + " spacings of "
+                + Foam::name(spacing)
+                + (isGrains ? " m. " : " m, that of the water. ")
+                + "It must be a whole number of them: the lattice goes"
+                  " on through the pair, else particles start too near to"
+                  " each other or with a gap there. "
+                + (isGrains ? "Take a spacing of " : "Take a water spacing of ")
+                + Foam::name(period / std::round(n))
+                + (isGrains ? " m or change the period."
+                            : " m (spacingRatio) or change the period.")
+        );
+    }
+}
+
+
 void scenePreparation::checkCyclic() const
 {
     for (const cyclicPair& pair : cyclic_)
     {
-        const scalar support = 2 * smoothingRatio * grid_.spacing;
-        if (pair.to - pair.from < support)
-        {
-            refuse(
-                boundaries_.subDict("cyclic"),
-                pair.axis == 0 ? "x" : "y",
-                "The period of " + Foam::name(pair.to - pair.from)
-                    + " m is shorter than the support of the kernel, "
-                    + Foam::name(support)
-                    + " m: a grain would be its own neighbour. Write a longer "
-                      "period or take a smaller spacing"
-            );
-        }
-        const scalar n = (pair.to - pair.from) / grid_.spacing;
-        if (mag(n - std::round(n)) > typed * n)
-        {
-            refuse(
-                boundaries_.subDict("cyclic"),
-                pair.axis == 0 ? "x" : "y",
-                "The period is " + Foam::name(n) + " spacings of "
-                    + Foam::name(grid_.spacing)
-                    + " m. It must be a whole number of them: the lattice goes"
-                      " on through the pair, else particles start too near to"
-                      " each other or with a gap there. Take a spacing of "
-                    + Foam::name((pair.to - pair.from) / std::round(n))
-                    + " m or change the period."
-            );
-        }
+        checkPeriod(pair, grid_.spacing);
+        checkPeriod(pair, waterSpacing_);
     }
 }
 
@@ -388,7 +410,7 @@ void scenePreparation::checkSize(const label i) const
     const scalar columns =
         (planeThickness_ > 0 ? max(span.x(), span.y()) * grid_.spacing
                              : span.x() * span.y())
-        / sqr(grid_.spacing);
+        / sqr(min(grid_.spacing, waterSpacing_));
     if (columns > mostColumns)
     {
         FatalIOErrorInFunction(*regionDicts_[i])
@@ -401,98 +423,11 @@ void scenePreparation::checkSize(const label i) const
 }
 
 
-releaseBody scenePreparation::fillRelease(const label i)
-{
-    const dictionary& dict = *regionDicts_[i];
-    const releaseScene& scene = scenes_[i];
-    checkSize(i);
-    regions_[i].place(scene);
-
-    const dictionary& grains = dict.subDict("grains");
-    allowOnly(grains, {"solidFraction", "mass"});
-    releaseBody body;
-    body.name = names_[i];
-    body.axes = scene.grid.axes;
-    body.solidFraction = readNumber(
-        grains,
-        "solidFraction",
-        dimless,
-        {0,
-         0.74,
-         true,
-         false,
-         "share of solid in the bulk volume; equal spheres reach 0.74"}
-    );
-    body.K0 = material_.K0;
-    body.velocity = dict.found("velocity")
-                      ? readVector(dict, "velocity", dimVelocity)
-                      : vector(Zero);
-    body.volume = regions_[i].volume();
-
-    DynamicList<seed> seeds;
-    regions_[i].fill(seeds);
-    keepInCyclicBox(seeds);
-    body.seeds.transfer(seeds);
-    body.latticeVolume = body.seeds.size() * scene.grid.particleVolume();
-    if (body.seeds.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Release " << body.name << " holds no particle: its volume is "
-            << body.volume << " m3, that of a particle "
-            << scene.grid.particleVolume() << " m3." << nl
-            << "Is it on the free side of the ground (normals), and is the"
-            << " spacing of " << grid_.spacing << " m smaller than it?"
-            << exit(FatalIOError);
-    }
-    body.mass = readNumber(
-        grains,
-        "mass",
-        dimMass,
-        {0, GREAT, true, false, "total mass of the grains"},
-        material_.rho * body.solidFraction * body.volume
-    );
-    return body;
-}
-
-
-void scenePreparation::fillReleases()
-{
-    checkCyclic();
-    const vector up = -g_ / mag(g_);
-    forAll (regions_, i)
-    {
-        lattice own(grid_);
-        own.origin = Zero;
-        readLattice(dict_, ground_->origin(), own);
-        readLattice(*regionDicts_[i], ground_->origin(), own);
-        if (planeThickness_ > 0)
-        {
-            makePlaneStrain(
-                planeNormal_,
-                planeThickness_,
-                boundaries_.subDict("planeStrain"),
-                own
-            );
-        }
-        scenes_.append(new releaseScene{*ground_, own, up});
-    }
-    bodies_.resize(regions_.size());
-    forAll (regions_, i)
-    {
-        bodies_[i] = fillRelease(i);
-        for (const seed& s : bodies_[i].seeds)
-        {
-            // from the ground under the first layer up to the top
-            releaseHeight_ = max(releaseHeight_, s.depth + 0.5 * grid_.spacing);
-        }
-    }
-}
-
-
 void scenePreparation::warnBeyond(const boundBox& box) const
 {
     label beyond = 0;
-    for (const point& x : cloud_.positions)
+    const pointField all = positions();
+    for (const point& x : all)
     {
         beyond += x.x() < box.min().x() || x.x() > box.max().x()
                || (planeThickness_ <= 0
@@ -521,7 +456,8 @@ void scenePreparation::checkBorder() const
         return;
     }
     const scalar margin = 2 * smoothingRatio * grid_.spacing;
-    for (const point& x : cloud_.positions)
+    const pointField all = positions();
+    for (const point& x : all)
     {
         if (x.x() < box.min().x() + margin || x.x() > box.max().x() - margin
             || x.y() < box.min().y() + margin || x.y() > box.max().y() - margin)

@@ -64,13 +64,13 @@ void printDuration(const scalar seconds)
 } // namespace
 
 
-void scenePreparation::reportRelease(const releaseBody& body) const
+void scenePreparation::reportGrains(const releaseBody& body) const
 {
     const layers n = countLayers(body.seeds);
     const scalar difference = body.latticeVolume / body.volume - 1;
-    Info << "Release " << body.name << nl << "    particles       "
-         << body.seeds.size() << nl << "    mass            " << body.mass
-         << " kg, " << body.mass / body.seeds.size() << " kg a particle" << nl
+    Info << "    particles       " << body.seeds.size() << nl
+         << "    mass            " << body.mass << " kg, "
+         << body.mass / body.seeds.size() << " kg a particle" << nl
          << "    bulk volume     " << body.volume << " m3, bulk density "
          << body.mass / body.volume << " kg/m3, solid fraction "
          << body.solidFraction << nl << "    lattice volume  "
@@ -104,6 +104,94 @@ void scenePreparation::reportRelease(const releaseBody& body) const
             << grid_.spacing * n.mean / 5 << " m and "
             << std::pow(5 / n.mean, 3) << " times the particles." << endl;
     }
+}
+
+
+void scenePreparation::reportWater(const waterBody& body) const
+{
+    const layers n = countLayers(body.seeds);
+    const scalar difference = body.latticeVolume / body.room - 1;
+    const scalar full =
+        waterDensity_ * body.saturation * body.porosity * body.room;
+    const word& name = names_[body.release];
+    Info << (body.porosity < 1 ? "  water in the pores" : "  free water") << nl
+         << "    particles       " << body.seeds.size() << ", spacing "
+         << waterSpacing_ << " m" << nl << "    mass            " << body.mass
+         << " kg, " << body.mass / body.seeds.size() << " kg a particle" << nl
+         << "    volume          " << body.mass / waterDensity_ << " m3 in "
+         << body.room << " m3" << nl << "    lattice volume  "
+         << body.latticeVolume << " m3, " << 100 * difference << " %" << nl
+         << "    layers          " << n.least << " to " << n.most << ", mean "
+         << n.mean << nl;
+    if (mag(body.mass / full - 1) > volumeTolerance)
+    {
+        WarningInFunction
+            << "Release " << name << ": mass " << body.mass
+            << " kg of water, but its density x volume is " << full
+            << " kg. The water starts compressed or expanded: correct mass or"
+            << " geometry if this is not meant." << endl;
+    }
+    if (mag(difference) > volumeTolerance)
+    {
+        WarningInFunction
+            << "Release " << name << ": the lattice of the water has "
+            << 100 * difference << " % of volume more than its geometry."
+            << " Masses are exact all the same. A smaller spacing helps, or one"
+            << " that divides the height." << endl;
+    }
+    if (n.mean < fewLayers)
+    {
+        WarningInFunction << "Release " << name << ": its water is only "
+                          << n.mean << " particles thick on average; five need"
+                          << " a water spacing of "
+                          << waterSpacing_ * n.mean / 5 << " m." << endl;
+    }
+}
+
+
+void scenePreparation::reportMixture(
+    const releaseBody& bed, const scalar waterMass
+) const
+{
+    const scalar solid = bed.mass / material_.rho;
+    const scalar water = waterMass / waterDensity_;
+    Info << "  wet bed" << nl << "    solid fraction  " << solid / bed.volume
+         << "  solid over bulk volume" << nl << "    dryBulkFraction "
+         << water / bed.volume << "  water over bulk volume" << nl
+         << "    trueFraction    " << water / (solid + water)
+         << "  water over solid and water" << nl << "    saturation      "
+         << water / (bed.volume - solid) << "  water over pores" << nl
+         << "    mass            " << bed.mass << " kg of grains, " << waterMass
+         << " kg of water" << nl;
+}
+
+
+void scenePreparation::reportRelease(const label i) const
+{
+    Info << "Release " << names_[i] << nl;
+    scalar water = 0;
+    for (const releaseBody& body : bodies_)
+    {
+        if (body.release == i)
+        {
+            reportGrains(body);
+        }
+    }
+    for (const waterBody& body : waters_)
+    {
+        if (body.release == i)
+        {
+            reportWater(body);
+            water += body.mass;
+        }
+    }
+    for (const releaseBody& body : bodies_)
+    {
+        if (body.release == i && water > 0)
+        {
+            reportMixture(body, water);
+        }
+    }
     Info << nl;
 }
 
@@ -112,7 +200,8 @@ scalar scenePreparation::drop() const
 {
     const vector up = -g_ / mag(g_);
     scalar top = -GREAT, low = GREAT;
-    for (const point& x : cloud_.positions)
+    const pointField all = positions();
+    for (const point& x : all)
     {
         top = max(top, up & x);
     }
@@ -129,8 +218,9 @@ runEstimate scenePreparation::estimate() const
 {
     const scalar given = dict_.getOrDefault<scalar>("maxSpeed", 0);
     return estimateRun(
-        {cloud_.size(),
-         smoothingRatio * grid_.spacing,
+        {grains_.size(),
+         water_.size(),
+         smoothingRatio * min(grid_.spacing, waterSpacing_),
          releaseHeight_,
          drop(),
          mag(g_),
@@ -164,9 +254,9 @@ void scenePreparation::warnOfOldTimes() const
 
 void scenePreparation::report() const
 {
-    for (const releaseBody& body : bodies_)
+    forAll (names_, i)
     {
-        reportRelease(body);
+        reportRelease(i);
     }
     const runEstimate run = estimate();
     Info << "Expected" << nl << "    memory          " << run.memory / 1048576
@@ -181,7 +271,8 @@ void scenePreparation::report() const
              << endTime_ << " s" << nl << "    wall time       ";
         const solverSpeed solver = measureSolver();
         printDuration(
-            run.steps * cloud_.size() / solver.particleStepsPerSecond
+            run.steps * (grains_.size() + water_.size())
+            / solver.particleStepsPerSecond
         );
         Info << " with " << solver.threads << " threads at "
              << solver.particleStepsPerSecond

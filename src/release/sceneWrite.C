@@ -56,23 +56,56 @@ void replace(const fileName& from, const fileName& to)
 } // namespace
 
 
+void scenePreparation::writePhases(Ostream& os) const
+{
+    if (has("grains"))
+    {
+        scalar mass = 0, volume = 0, solid = 0;
+        for (const releaseBody& body : bodies_)
+        {
+            mass += body.mass;
+            volume += body.volume;
+            solid += body.volume * body.solidFraction;
+        }
+        os.beginBlock("grains");
+        os.writeEntry("count", grains_.size());
+        os.writeEntry("mass", mass);
+        os.writeEntry("volume", volume);
+        os.writeEntry("solidFraction", solid / volume);
+        os.endBlock();
+    }
+    if (has("water"))
+    {
+        scalar mass = 0;
+        for (const waterBody& body : waters_)
+        {
+            mass += body.mass;
+        }
+        os.beginBlock("water");
+        os.writeEntry("count", water_.size());
+        os.writeEntry("mass", mass);
+        os.writeEntry("volume", mass / waterDensity_);
+        os.endBlock();
+    }
+}
+
+
 void scenePreparation::writeReleaseProperties(const fileName& file) const
 {
-    scalar mass = 0, volume = 0, solid = 0;
-    for (const releaseBody& body : bodies_)
-    {
-        mass += body.mass;
-        volume += body.volume;
-        solid += body.volume * body.solidFraction;
-    }
     outputFile out(file, IOstreamOption());
     OFstream& os = out.stream();
     // enough digits to read the same double back
     os.precision(std::numeric_limits<scalar>::max_digits10);
     writeFoamHeader(os, "dictionary", "constant/releaseProperties");
     os << "// written by terrainToParticles; SI units" << nl;
+    os.writeEntry("phases", phases_);
     os.writeEntry("spacing", grid_.spacing);
     os.writeEntry("smoothingLength", smoothingRatio * grid_.spacing);
+    if (has("water"))
+    {
+        os.writeEntry("waterSpacing", waterSpacing_);
+        os.writeEntry("waterSmoothingLength", smoothingRatio * waterSpacing_);
+    }
     os.writeEntry("dimensions", planeThickness_ > 0 ? 2 : 3);
     if (planeThickness_ > 0)
     {
@@ -82,12 +115,7 @@ void scenePreparation::writeReleaseProperties(const fileName& file) const
     os.writeEntry("releaseHeight", releaseHeight_);
     os.writeEntry("maxSpeed", estimate().maxSpeed);
     os.writeEntry("zones", names_);
-    os.beginBlock("grains");
-    os.writeEntry("count", cloud_.size());
-    os.writeEntry("mass", mass);
-    os.writeEntry("volume", volume);
-    os.writeEntry("solidFraction", solid / volume);
-    os.endBlock();
+    writePhases(os);
     out.close();
 }
 
@@ -99,14 +127,22 @@ void scenePreparation::write() const
     mkDir(from / "constant");
     ground_->write(from);
     writeReleaseProperties(from / "constant" / "releaseProperties");
-    writeCloud(from / "0", "grains", cloud_, IOstreamOption(IOstream::BINARY));
+    const IOstreamOption binary(IOstream::BINARY);
+    string clouds;
+    for (const word& phase : phases_)
+    {
+        writeCloud(
+            from / "0", phase, phase == "grains" ? grains_ : water_, binary
+        );
+        clouds += "0/lagrangian/" + phase + " ";
+    }
 
     pointField points;
     faceList faces;
     labelList zone;
     ground_->triangles(points, faces, zone);
     boundBox box = ground_->bounds();
-    box.add(cloud_.positions);
+    box.add(positions());
     writeDisplayMesh(from, box, points, faces);
 
     for (const fileName& part :
@@ -130,8 +166,8 @@ void scenePreparation::write() const
     // ParaView's reader opens a case by an empty file of this kind
     OFstream(caseDir_ / caseDir_.name() + ".foam");
     Info << "Written: constant/terrain constant/polyMesh"
-         << " constant/releaseProperties 0/lagrangian/grains "
-         << caseDir_.name() << ".foam" << nl << endl;
+         << " constant/releaseProperties " << clouds.c_str() << caseDir_.name()
+         << ".foam" << nl << endl;
 }
 
 } // namespace lpf

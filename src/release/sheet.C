@@ -175,6 +175,18 @@ bool sheet::roundingKeepsVolume() const
 }
 
 
+scalar sheet::depthAt(const point& x) const
+{
+    const groundHit hit = scene_->bed.elevation(x.x(), x.y());
+    if (!hit.found)
+    {
+        return -1;
+    }
+    const scalar height = x.z() - hit.nearest.z();
+    return height >= 0 ? max(thickness(hit) - height, scalar(-1)) : -1;
+}
+
+
 void sheet::fill(DynamicList<seed>& seeds) const
 {
     const scalar s = scene_->grid.spacing;

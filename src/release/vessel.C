@@ -246,14 +246,80 @@ scalar vessel::volumeBelow(const UList<freeColumn>& columns) const
     scalar sum = 0;
     for (const freeColumn& c : columns)
     {
-        scalar top = c.to;
+        scalar top = c.to, foot = c.from;
         if (hasSurface_)
         {
             top = min(top, (surfaceHeight_ - (surfaceNormal_ & c.base)) / rise);
         }
-        sum += c.area * max(top - c.from, scalar(0));
+        if (hasFloor_)
+        {
+            foot =
+                max(foot,
+                    (floorHeight_ - (floorNormal_ & c.base))
+                        / (floorNormal_ & unitUp()));
+        }
+        sum += c.area * max(top - foot, scalar(0));
     }
     return sum;
+}
+
+
+bool vessel::fillTo(const scalar volume, scalar& room)
+{
+    const List<freeColumn> columns = freeColumns();
+    scalar low = GREAT, high = -GREAT;
+    for (const freeColumn& c : columns)
+    {
+        low = min(low, surfaceNormal_ & (c.base + c.from * unitUp()));
+        high = max(high, surfaceNormal_ & (c.base + c.to * unitUp()));
+    }
+    surfaceHeight_ = high;
+    room = volumeBelow(columns);
+    if (room < volume)
+    {
+        return false;
+    }
+    for (label i = 0; i < 60; ++i)
+    {
+        surfaceHeight_ = 0.5 * (low + high);
+        (volumeBelow(columns) < volume ? low : high) = surfaceHeight_;
+    }
+    return true;
+}
+
+
+bool vessel::fillLevel(const scalar volume, scalar& room)
+{
+    hasSurface_ = true;
+    surfaceNormal_ = scene_->up;
+    return (unitUp() & scene_->up) > 0 && fillTo(volume, room);
+}
+
+
+void vessel::refuseExcess(const scalar volume, const scalar room) const
+{
+    refuse(
+        dict_.subDict("water"),
+        "excess",
+        "Above the bed there is room for " + Foam::name(room)
+            + " m3 within the box, the excess is " + Foam::name(volume)
+            + " m3. Make the box higher"
+    );
+}
+
+
+autoPtr<releaseRegion> vessel::above(const scalar volume) const
+{
+    autoPtr<vessel> layer(new vessel(*this));
+    layer->hasFloor_ = true;
+    layer->floorNormal_ = surfaceNormal_;
+    layer->floorHeight_ = surfaceHeight_;
+    scalar room = 0;
+    if (!layer->fillLevel(volume, room))
+    {
+        refuseExcess(volume, room);
+    }
+    return autoPtr<releaseRegion>(layer.release());
 }
 
 
@@ -276,7 +342,8 @@ bool vessel::contains(const point& x) const
         }
     }
     return (outline_.rings.empty() || outline_.contains(point2D(s.x(), s.y())))
-        && (!hasSurface_ || (surfaceNormal_ & x) < surfaceHeight_ - tolerance);
+        && (!hasSurface_ || (surfaceNormal_ & x) < surfaceHeight_ - tolerance)
+        && (!hasFloor_ || (floorNormal_ & x) >= floorHeight_ - tolerance);
 }
 
 

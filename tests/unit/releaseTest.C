@@ -4,11 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "heightField.H"
-#include "inputCheck.H"
 #include "polygonTriangles.H"
 #include "raster.H"
-#include "sampleCase.H"
-#include "scenePreparation.H"
+#include "releaseCase.H"
 
 #include "polygons.H"
 
@@ -25,109 +23,6 @@ namespace
 {
 
 const scalar pi = constant::mathematical::pi;
-
-//- Says nothing on the screen while it lives
-class quiet
-{
-    int level_ = messageStream::level;
-
-public:
-    quiet() { messageStream::level = 0; }
-    ~quiet() { messageStream::level = level_; }
-    quiet(const quiet&) = delete;
-    quiet& operator=(const quiet&) = delete;
-};
-
-const std::string floorPart =
-    "ground { type plane; zone floor; point (0.5 0.5 0); normal (0 0 1);"
-    " direction (1 0 0); size (20 20); }";
-
-const std::string blockPart =
-    "release { type box; corner (0 0 0);"
-    " edges ((1 0 0) (0 1 0) (0 0 0.5)); grains { solidFraction 0.6; } }";
-
-//- A case with grains of 2500 kg/m3 and nu = 0.25
-class scene
-{
-    temporaryFolder folder_;
-
-public:
-    explicit scene(const std::string& dict)
-    {
-        mkDir(folder_.path() / "constant");
-        mkDir(folder_.path() / "system");
-        write(
-            "constant/g",
-            "dimensions [0 1 -2 0 0 0 0]; value (0 0 -10);",
-            "uniformDimensionedVectorField"
-        );
-        write(
-            "constant/phaseProperties",
-            "phases (grains); grains { rho 2500; rheology muI;"
-            " muICoeffs { nu 0.25; initialStress geostatic; } }"
-        );
-        write("constant/boundaryProperties", "zones { floor { } }");
-        write("system/terrainToParticlesDict", dict);
-    }
-
-    fileName path() const { return folder_.path(); }
-
-    void write(
-        const fileName& name,
-        const std::string& text,
-        const word& className = "dictionary"
-    ) const
-    {
-        std::ofstream(path() / name)
-            << "FoamFile { version 2.0; format ascii; class " << className
-            << "; object " << name.name() << "; }\n"
-            << text << '\n';
-    }
-
-    void raw(const fileName& name, const std::string& text) const
-    {
-        std::ofstream(path() / name) << text;
-    }
-
-    void prepare() const
-    {
-        const quiet silence;
-        const scenePreparation made(
-            path(), path() / "system" / "terrainToParticlesDict"
-        );
-        made.report();
-        made.write();
-    }
-
-    cloudState cloud() const
-    {
-        prepare();
-        return readCloud(path() / "0", "grains");
-    }
-
-    dictionary properties() const
-    {
-        return readDictionary(path() / "constant" / "releaseProperties");
-    }
-
-    std::string error() const
-    {
-        return errorOf([this] { prepare(); });
-    }
-
-    //- What terrainToParticles leaves in the case
-    bool isUntouched() const
-    {
-        return !isDir(path() / "0") && !isDir(path() / "constant" / "terrain")
-            && !isFile(path() / "constant" / "releaseProperties")
-            && !isDir(path() / ".terrainToParticles");
-    }
-};
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 scalar lowest(const cloudState& cloud, const vector& n)
 {
@@ -632,5 +527,5 @@ TEST_CASE("the examples of the manual are read", "[release]")
         CHECK(region->plan().span().x() > 0);
         ++n;
     }
-    CHECK(n == 4);
+    CHECK(n == 6);
 }

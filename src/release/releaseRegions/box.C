@@ -56,10 +56,49 @@ public:
         : vessel(dict, {"corner", "edges"}, readFrame(dict))
     {
     }
+
+    autoPtr<releaseRegion> above(const scalar volume) const override;
 };
 
 defineTypeNameAndDebug(box, 0);
 addToRunTimeSelectionTable(releaseRegion, box, dictionary);
+
+
+//- Vertical walls on the rim of the top face
+autoPtr<releaseRegion> box::above(const scalar volume) const
+{
+    const vector& up = scene_->up;
+    const FixedList<vector, 3>& edges = frame_.edges;
+    const scalar area = mag((edges[0] ^ edges[1]) & up);
+    if (!((edges[2] & up) > 0) || area < 1e-3 * mag(edges[0]) * mag(edges[1]))
+    {
+        refuse(
+            dict_.subDict("water"),
+            "excess",
+            "The top face of the box, over its first two edges, does not look"
+            " upwards: nothing can stand on it. Give the edges of the box in"
+            " another order, the third one upwards"
+        );
+    }
+    const scalar width = mag(edges[0] & up) + mag(edges[1] & up);
+    scalar height = width + 2 * volume / area;
+    autoPtr<box> layer(new box(*this));
+    layer->frame_.corner += edges[2];
+    // higher where the ground, or plane strain, leaves less than the plan
+    scalar room = 0;
+    bool filled = false;
+    for (label k = 0; k < 12 && !filled; ++k)
+    {
+        layer->frame_.edges[2] = height * up;
+        filled = layer->fillLevel(volume, room);
+        height *= 2;
+    }
+    if (!filled)
+    {
+        refuseExcess(volume, room);
+    }
+    return autoPtr<releaseRegion>(layer.release());
+}
 
 } // namespace releaseRegions
 } // namespace lpf

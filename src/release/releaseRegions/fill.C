@@ -73,16 +73,8 @@ addToRunTimeSelectionTable(releaseRegion, fill, dictionary);
 
 void fill::findSurface()
 {
-    const List<freeColumn> columns = freeColumns();
-    scalar low = GREAT, high = -GREAT;
-    for (const freeColumn& c : columns)
-    {
-        low = min(low, surfaceNormal_ & (c.base + c.from * unitUp()));
-        high = max(high, surfaceNormal_ & (c.base + c.to * unitUp()));
-    }
-    surfaceHeight_ = high;
-    const scalar room = volumeBelow(columns);
-    if (room < volume_)
+    scalar room = 0;
+    if (!fillTo(volume_, room))
     {
         refuse(
             dict_,
@@ -91,11 +83,6 @@ void fill::findSurface()
                 + " m3 on the free side of the ground. Enlarge the box or"
                   " reduce the volume; is the box on the free side?"
         );
-    }
-    for (label i = 0; i < 60; ++i)
-    {
-        surfaceHeight_ = 0.5 * (low + high);
-        (volumeBelow(columns) < volume_ ? low : high) = surfaceHeight_;
     }
 }
 
