@@ -40,6 +40,25 @@ scalar openShare(scalar groundShare)
     return max(0.3, 1 - groundShare);
 }
 
+//- Share of a place that a phase fills, from the sum of its volumes over the
+//  open share of the kernel: a bed is full also where the sum of a lattice
+//  beside the ground falls short of the integral
+scalar filled(scalar share)
+{
+    constexpr scalar from = 0.75, to = 0.9;
+    if (share < from)
+    {
+        return share;
+    }
+    if (share > to)
+    {
+        return 1;
+    }
+    const scalar t = (share - from) / (to - from);
+    return from + (to - from) * t * sqr(1 - t)
+         + (1 - from) * sqr(t) * (3 - 2 * t); // Hermite, slopes 1 and 0
+}
+
 vector toVector(const Vec3& a)
 {
     return vector(a.x, a.y, a.z);
@@ -136,12 +155,13 @@ lpfPairs::crossPass interphase::crossed(
     return p;
 }
 
-// theta_a = 1 - sum_k Vs_k W_ak/(1 - gam_a)                          (T 6.1)
+// theta_a = 1 - xi_a g(S_a/(1 - gam_a))                             (T 6.1)
+//     S = sum_k V_k W_ak,  xi = sum_k Vs_k W_ak/S
 void interphase::porosity()
 {
     const grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
-    const int n = grains.size(), nWater = water.size();
+    const int n = grains.size();
 
     Vs_.resize(n);
     for (int k = 0; k < n; ++k)
@@ -151,17 +171,21 @@ void interphase::porosity()
     }
     Vs_.pad(n, 0);
 
-    lpfPairs::smoothPass p = {crossed(water_, grains_), 1, {}, {}};
+    lpfPairs::smoothPass p = {crossed(water_, grains_), 2, {}, {}};
     p.q[0] = Vs_.data();
+    p.q[1] = grains.V.data();
     p.out[0] = water.theta.data();
+    p.out[1] = water.viscous.data(); // free until the forces
     engine_.smooth(p);
 
     const scalar solid = lpfPairs::largest(
-        nWater,
+        water.size(),
         [&](int a)
         {
-            const scalar s = water.theta[a] / openShare(water_.groundShare(a));
-            water.theta[a] = max(leastPorosity, 1 - s); // (T 6.1)
+            const scalar S = water.viscous[a];
+            const scalar full = filled(S / openShare(water_.groundShare(a)));
+            const scalar xi = S > 0 ? water.theta[a] / S * full : 0;
+            water.theta[a] = max(leastPorosity, 1 - xi); // (T 6.1)
             return 1 - water.theta[a];
         }
     );
@@ -465,14 +489,17 @@ vector interphase::dragImpulse(int k, scalar dt) const
 
     const scalar open = openShare(grains_.groundShare(k));
     dragPoint at;
-    at.solid = min(densest, rb / (open * grainDensity_));
+    const scalar bulk = grains_.grains.rho[k];
+    at.solid = min(densest, bulk / grainDensity_ * filled(rb / (open * bulk)));
     at.fluid = max(leastPorosity, 1 - at.solid);
     at.density = water_.state().rho0();
     at.mu = water_.viscosity().molecular();
     at.diameter = diameter_;
     // where the pores are not full, drag acts in their wet share S only
-    const scalar S = min(scalar(1), rf / (open * at.fluid * at.density));
-    const scalar densities = rf * rb / (open * (rf + rb) * S);
+    const scalar S = filled(rf / (open * at.fluid * at.density));
+    const scalar rbFull = at.solid * grainDensity_;
+    const scalar rfFull = S * at.fluid * at.density;
+    const scalar densities = rfFull * rbFull / ((rfFull + rbFull) * S);
 
     const vector change = relaxed(at, densities, slip, da, dt);
     return (-grains_.grains.mass[k] * rf / (rf + rb)) * change; // (T 6.8)

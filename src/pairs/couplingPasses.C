@@ -177,17 +177,14 @@ void smoothed(const smoothPass& p)
 {
     switch (p.count)
     {
-    case 1:
-        forHome(p, smoothAtParticle<1>);
+    case 2:
+        forHome(p, smoothAtParticle<2>);
         break;
     case 3:
         forHome(p, smoothAtParticle<3>);
         break;
-    case 7:
-        forHome(p, smoothAtParticle<7>);
-        break;
     default:
-        forHome(p, smoothAtParticle<8>);
+        forHome(p, smoothAtParticle<7>);
     }
 }
 

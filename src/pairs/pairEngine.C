@@ -275,7 +275,7 @@ LPF_ONE_BODY void wallOfParticle(
             );
             if constexpr (withShare)
             {
-                total.share += A * layerShare(W, rSqr, d, p.layerDepth);
+                total.share += solidShare(W, rSqr, d, A);
             }
             nearest.see(rSqr, d, n, p.outOfSight);
         }

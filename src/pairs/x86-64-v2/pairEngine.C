@@ -1,0 +1,1 @@
+../pairEngine.C

@@ -1,0 +1,1 @@
+../couplingPasses.C

@@ -1,0 +1,1 @@
+../waterPasses.C

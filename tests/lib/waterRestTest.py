@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Water at rest, alone (pool) or in a bed of grains that it fills (bed), in
+closed tanks with frictionless walls.
+
+The resultant force of the ground is the weight, 1 %; pressure of the lowest
+layer within 3 % of rho g H (L2; 6 % in gullies); in a bed the pressure gradient
+carries rho_f/rho_p of each layer of grains, 3 %; energy that no term names below
+0.1 % of m g H.
+Usage: test pool|bed shape ...
+"""
+import math
+import os
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+from lpfCase import Case, jobs, ok
+from tankShapes import DX, SHAPES, release
+
+G = 9.81
+RHO = 1000.0
+RHO_GRAIN = 2600.0
+BOUND = {"gully30": 0.06, "corner90": 0.06}
+SPAN = 30
+
+
+def write(case, scene, kind, end):
+    case.write_gravity((0, 0, -G))
+    grains = (
+        "grains { rho 2600; diameter 0.002; rheology muI; "
+        "muICoeffs { muS 0.3839; mu2 0.6494; I0 0.28; nu 0.36; E auto; "
+        "initialStress geostatic; } }\n"
+    )
+    water = "water { rho 1000; NewtonianCoeffs { mu 1e-3; } }\n"
+    bed = kind == "bed"
+    case.write(
+        "constant/phaseProperties",
+        "phases (%swater);\n%s%s"
+        % ("grains " if bed else "", grains if bed else "", water),
+    )
+    if bed:
+        case.write("constant/interphaseProperties", "drag Gidaspow;")
+    case.write(
+        "constant/boundaryProperties",
+        "contact signedDistance;\n"
+        "zones { floor { friction none; } walls { friction none; } }",
+    )
+    phases = "water { saturation 1; } grains { solidFraction 0.5; }"
+    case.write(
+        "system/terrainToParticlesDict",
+        "spacing %g;\norigin (0 0 0);\nmaxSpeed 0.1;\nground\n{\n%s}\n%s"
+        % (DX, scene["ground"], release(scene, phases if bed else "water {}")),
+    )
+    case.write(
+        "system/controlDict",
+        "startFrom startTime; startTime 0; stopAt endTime; endTime %.17g;\n"
+        "writeControl adjustableRunTime; writeInterval %.17g;" % (end, end / 10),
+    )
+    case.write("system/lpfSolution", "logInterval 200;")
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def averaged(case, times, name, cloud):
+    """Field of each id, mean over times"""
+    total = {}
+    for time in times:
+        ids = case.field(time, "id", cloud)
+        for i, v in zip(ids, case.field(time, name, cloud)):
+            v = v if isinstance(v, tuple) else (v,)
+            old = total.get(i, (0.0,) * len(v))
+            total[i] = tuple(a + b / len(times) for a, b in zip(old, v))
+    return total
+
+
+def pressure_lines(name, scene, case, times):
+    x = averaged(case, times, "positions", "water")
+    p = averaged(case, times, "p", "water")
+    level = max(v[2] for v in x.values()) + 0.5 * DX
+    deepest = max(level - v[2] for v in x.values())
+    lowest = [
+        i for i, v in x.items()
+        if v[2] - scene["height"](v[0], v[1]) < 1.0 * DX
+    ]
+    square = mean(
+        [(p[i][0] - RHO * G * (level - x[i][2])) ** 2 for i in lowest]
+    )
+    error = math.sqrt(square) / (RHO * G * deepest)
+    every = math.sqrt(mean(
+        [(p[i][0] - RHO * G * (level - x[i][2])) ** 2 for i in x]
+    )) / (RHO * G * deepest)
+    bound = BOUND.get(name, 0.03)
+    yield (
+        error < bound,
+        "%s: pressure of the lowest layer, L2 %.4f (%g), of all %.4f; level "
+        "%.3f m" % (name, error, bound, every, level),
+    )
+
+
+def buoyancy_lines(name, case, times):
+    x = averaged(case, times, "positions", "grains")
+    a = averaged(case, times, "gradPForce", "grains")
+    exact = RHO / RHO_GRAIN * G
+    layers = {}
+    lowest = min(v[2] for v in x.values())
+    for i, v in x.items():
+        layers.setdefault(int((v[2] - lowest) / DX + 0.5), []).append(a[i][2])
+    share = {k: mean(v) / exact for k, v in sorted(layers.items())}
+    rms = math.sqrt(mean([(v[2] / exact - 1) ** 2 for v in a.values()]))
+    worst = max(abs(s - 1) for s in share.values())
+    print("# %s: buoyancy by layer %s"
+          % (name, " ".join("%.3f" % s for s in share.values())))
+    yield (
+        worst < 0.03,
+        "%s: mean buoyancy of a layer off by at most %.4f (3 %%), rms of a "
+        "grain %.4f" % (name, worst, rms),
+    )
+
+
+def judge(kind, name, scene, case):
+    lines = []
+    table = case.table()
+    half = next(
+        k for k, t in enumerate(table["time"]) if t > 0.5 * table["time"][-1]
+    )
+    weight = table["mass"][-1] * G
+    force = mean(table["wallForceZ"][half:])
+    lines.append((
+        abs(force / weight - 1) < 0.01,
+        "%s: ground carries %.4f of the weight (1 %%)" % (name, force / weight),
+    ))
+    times = case.times()
+    late = times[len(times) // 2:]
+    lines += pressure_lines(name, scene, case, late)
+    if kind == "bed":
+        lines += buoyancy_lines(name, case, late)
+    energy = table["mass"][0] * G * scene["H"]
+    lines.append((
+        abs(table["unexplained"][-1]) < 1e-3 * energy,
+        "%s: energy unexplained %.2e of m g H (1e-3)"
+        % (name, table["unexplained"][-1] / energy),
+    ))
+    lines.append((
+        max(table["left"]) == 0, "%s: nothing left the tank" % name,
+    ))
+    speed = max(table["maxSpeed"][half:]) / math.sqrt(G * scene["H"])
+    print("# %s: largest late speed %.1e sqrt(gH)" % (name, speed))
+    return lines
+
+
+def run(kind, name):
+    scene = SHAPES[name]()
+    case = Case(os.path.abspath("case." + name))
+    write(case, scene, kind, SPAN * math.sqrt(scene["H"] / G))
+    case.run("terrainToParticles")
+    case.run("lpfSolver", "-threads", "1")
+    return judge(kind, name, scene, case)
+
+
+def main():
+    kind, chosen = sys.argv[1], sys.argv[2:] or list(SHAPES)
+    failed = False
+    with ThreadPoolExecutor(jobs()) as pool:
+        for lines in pool.map(lambda name: run(kind, name), chosen):
+            for good, text in lines:
+                failed = not ok(good, text) or failed
+    return failed
+
+
+sys.exit(main())
