@@ -18,6 +18,9 @@ namespace
 //  volume of a drop would grow without bound
 constexpr scalar thinnest = 0.5;
 
+//- Share of the kernel that the ground leaves open, at least
+constexpr scalar leastOpen = 0.2;
+
 //- And its density stays above this
 constexpr scalar lowestDensity = 0.01;
 
@@ -247,7 +250,7 @@ lpfPairs::waterForcePass waterDynamics::forcePass()
 // the kernel. A is the acceleration by the pairs.
 //     f = 2 V P sum_q A E n                                         (T 5.12)
 //       - V rho (sum_q A D n n).g
-//       + m (1/max(0.45, 1 - gam) - 1) (I - n n) A
+//       + m (1/max(1/5, 1 - gam) - 1) (I - n n) A
 void waterDynamics::pressureOfGround(int i, nearWall& near) const
 {
     const auto slot = static_cast<std::size_t>(slot_[i]);
@@ -258,7 +261,7 @@ void waterDynamics::pressureOfGround(int i, nearWall& near) const
     const vector n = magnitude > 0 ? vector(nA / magnitude) : vector(0, 0, 1);
 
     const vector A = at(water.a, i);
-    const scalar share = 1 / max(0.45, 1 - wall.share) - 1;
+    const scalar share = 1 / max(leastOpen, 1 - wall.share) - 1;
     const vector along = water.mass[i] * share * (A - (A & n) * n);
     const vector deeper =
         (-V * water.rho[i]) * toVector(secondMoment(wall) & toVec(scene_.g));
