@@ -116,8 +116,10 @@ stringList frontNotes(const deposit& result)
         "the fastest particle"
     );
     notes.append(
-        "volume: bulk, of all particles; areaAbove, volumeAbove: of the cells "
-        "thicker than "
+        "volume: "
+        + (result.cloud == "grains" ? string("bulk") : volumeName(result.cloud))
+        + ", of all particles; areaAbove, volumeAbove: of the cells thicker "
+          "than "
         + Foam::name(result.controls.outlineAbove)
         + " m; x, y, z: centre of mass"
     );
@@ -306,9 +308,10 @@ void writeSummary(
     line("spacing", result.scales.spacing, "m");
     line("cell", result.grid.dx, "m");
     line("mass", last.total.mass, "kg");
-    line("bulk volume", last.total.volume, "m3");
+    const string volume = result.cloud == "grains" ? "bulk volume" : "volume";
+    line(volume, last.total.volume, "m3");
     line(
-        "bulk volume at the first time sampled",
+        volume + " at the first time sampled",
         result.records.first().total.volume,
         "m3"
     );
