@@ -259,8 +259,14 @@ void scenePreparation::report() const
         reportRelease(i);
     }
     const runEstimate run = estimate();
-    Info << "Expected" << nl << "    memory          " << run.memory / 1048576
-         << " MiB" << nl << "    largest speed   " << run.maxSpeed
+    Info << "Expected" << nl;
+    if (has("water"))
+    {
+        Info << "    particles       " << grains_.size() << " of grains, "
+             << water_.size() << " of water" << nl;
+    }
+    Info << "    memory          " << run.memory / 1048576 << " MiB" << nl
+         << "    largest speed   " << run.maxSpeed
          << (dict_.found("maxSpeed") ? " m/s, given"
                                      : " m/s, free fall over the relief")
          << nl << "    wave speed      " << run.waveSpeed << " m/s" << nl

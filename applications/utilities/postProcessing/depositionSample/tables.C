@@ -293,6 +293,16 @@ scalar thicknessOverDepth(const deposit& result)
 }
 
 
+void summariseScore(summary& line, const observedScore& score)
+{
+    const string name = "observed " + score.name + ": ";
+    line(name + "CSI", score.csi, "-");
+    line(name + "in both", score.truePositive * score.cellArea, "m2");
+    line(name + "only simulated", score.falsePositive * score.cellArea, "m2");
+    line(name + "only observed", score.falseNegative * score.cellArea, "m2");
+}
+
+
 void writeSummary(
     const fileName& file, const deposit& result, const findings& found
 )
@@ -347,15 +357,7 @@ void writeSummary(
     }
     for (const observedScore& score : found.scores)
     {
-        const string name = "observed " + score.name + ": ";
-        line(name + "CSI", score.csi, "-");
-        line(name + "in both", score.truePositive * score.cellArea, "m2");
-        line(
-            name + "only simulated", score.falsePositive * score.cellArea, "m2"
-        );
-        line(
-            name + "only observed", score.falseNegative * score.cellArea, "m2"
-        );
+        summariseScore(line, score);
     }
 }
 
