@@ -537,6 +537,25 @@ TEST_CASE("what water must not say", "[release][water]")
     CHECK(contains(alone("excess onTop;"), "This release has no grains"));
     CHECK(contains(alone("spacingRatio 2;"), "has only one of them"));
     CHECK(contains(alone("mass -1;"), "greater than 0"));
+    CHECK(contains(
+        message(
+            "release { type box; corner (0 0 0.5); edges ((1 0 0) (0 1 0)"
+            " (0 0 -0.5)); grains { solidFraction 0.6; } water { mass 250;"
+            " excess onTop; } }",
+            "grains water"
+        ),
+        "does not look upwards"
+    ));
+    CHECK(contains(
+        message(
+            "release { type fill; box ((0 0 0) (1 1 0.55)); volume 0.5;"
+            " surface level; grains { solidFraction 0.6; } water { mass 270;"
+            " excess onTop; } }",
+            "grains water"
+        ),
+        "Above the bed there is room for 0.05 m3 within the box, the excess is"
+        " 0.07 m3"
+    ));
     // less than half a spacing on top
     CHECK(contains(
         inBed("mass 230; excess onTop;"), "Water of release release has no"
