@@ -139,7 +139,8 @@ void scenePreparation::reportWater(const waterBody& body) const
             << " Masses are exact all the same. A smaller spacing helps, or one"
             << " that divides the height." << endl;
     }
-    if (n.mean < fewLayers)
+    // the grains of a bed speak for its water, and for that on top
+    if (n.mean < fewLayers && !regionDicts_[body.release]->found("grains"))
     {
         WarningInFunction << "Release " << name << ": its water is only "
                           << n.mean << " particles thick on average; five need"
