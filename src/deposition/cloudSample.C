@@ -12,6 +12,10 @@ namespace lpf
 namespace
 {
 
+// Of water in a particle; less would be a slip, and its space without bound
+constexpr scalar leastFraction = 0.01;
+
+
 //- Axis of a unit vector; plan maps need one that is horizontal
 int horizontalAxis(const dictionary& dict, const vector& normal)
 {
@@ -56,7 +60,30 @@ scalarField bulkVolume(
     return scalarField(mass / (phaseDensity * needed(state, cloud, "alpha")));
 }
 
+//- Space of water particles: one with hardly any water in its pores takes as
+//  much as one that is full
+scalarField
+spaceOf(const cloudState& state, const word& cloud, const scalar phaseDensity)
+{
+    return scalarField(
+        needed(state, cloud, "mass")
+        / (phaseDensity * max(needed(state, cloud, "alpha"), leastFraction))
+    );
+}
+
 } // namespace
+
+
+releaseScales releaseScales::of(const word& cloud) const
+{
+    releaseScales own(*this);
+    if (cloud == "water")
+    {
+        own.spacing = waterSpacing;
+        own.smoothingLength = waterSmoothingLength;
+    }
+    return own;
+}
 
 
 releaseScales readReleaseScales(const fileName& caseDir)
@@ -72,6 +99,15 @@ releaseScales readReleaseScales(const fileName& caseDir)
     scales.spacing = readNumber(dict, "spacing", dimLength, positive);
     scales.smoothingLength =
         readNumber(dict, "smoothingLength", dimLength, positive);
+    scales.waterSpacing =
+        readNumber(dict, "waterSpacing", dimLength, positive, scales.spacing);
+    scales.waterSmoothingLength = readNumber(
+        dict,
+        "waterSmoothingLength",
+        dimLength,
+        positive,
+        scales.smoothingLength
+    );
     if (dict.getOrDefault<label>("dimensions", 3) == 2)
     {
         scales.flat =
@@ -105,7 +141,15 @@ cloudSample sampleOf(
     cloudSample sample;
     sample.x = state.positions;
     sample.mass = needed(state, cloud, "mass");
-    sample.volume = bulkVolume(state, cloud, phaseDensity);
+    if (cloud == "water")
+    {
+        sample.volume = sample.mass / phaseDensity;
+        sample.space = spaceOf(state, cloud, phaseDensity);
+    }
+    else
+    {
+        sample.volume = bulkVolume(state, cloud, phaseDensity);
+    }
     const auto U = state.vectors.cfind("U");
     const auto h = state.scalars.cfind("h");
     sample.U = U.found() ? U.val() : vectorField(state.size(), vector::zero);
@@ -118,7 +162,7 @@ cloudSample sampleOf(
         {
             FatalErrorInFunction
                 << "particle " << i << " of cloud " << cloud << " at "
-                << sample.x[i] << " has bulk volume " << sample.volume[i]
+                << sample.x[i] << " has volume " << sample.volume[i]
                 << " m3 and smoothing length " << sample.h[i]
                 << " m; both must be above 0" << exit(FatalError);
         }

@@ -173,10 +173,10 @@ public:
           // Side of the cube, or of the square in a plane strain scene
           size_(
               grid.flat < 0
-                  ? scalarField(cbrt(sample.volume))
-                  : scalarField(
-                      sqrt(sample.volume / (grid.flat == 0 ? grid.dx : grid.dy))
-                  )
+                  ? scalarField(cbrt(sample.taken()))
+                  : scalarField(sqrt(
+                      sample.taken() / (grid.flat == 0 ? grid.dx : grid.dy)
+                  ))
           ),
           plumes_(sample.size()), sumAll_(sample.size())
     {
@@ -252,7 +252,8 @@ columnSample sampleColumns(
 )
 {
     const scalarField zero(grid.size(), scalar(0));
-    columnSample result{zero, zero, zero, zero, 0, 0};
+    const vectorField none(grid.size(), vector::zero);
+    columnSample result{zero, zero, zero, zero, 0, 0, zero, none};
     if (!sample.size())
     {
         return result;
@@ -274,6 +275,8 @@ columnSample sampleColumns(
         result.thicknessVertical[c] = cell.volume / grid.cellArea();
         result.maxSpeed[c] = cell.maxSpeed;
         result.volumeInside += cell.volume;
+        result.mass[c] = cell.mass;
+        result.momentum[c] = cell.momentum;
         if (result.thicknessVertical[c] > present)
         {
             result.depth[c] = cell.depth();

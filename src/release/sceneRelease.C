@@ -390,6 +390,7 @@ void scenePreparation::fillFree(const label i)
 {
     regions_[i].useLattice(waterScenes_[i]);
     waterBody body = waterOf(i, regions_[i]);
+    checkHasWater(body);
     leaveOut(body);
     checkHasWater(body);
     body.mass = readFreeWater(
@@ -401,44 +402,50 @@ void scenePreparation::fillFree(const label i)
 
 void scenePreparation::leaveOut(waterBody& body) const
 {
-    labelHashSet taken;
-    const auto take = [&](const label k, const releaseRegion& region)
+    const auto within = [](const releaseRegion& region, const seed& s)
+    { return region.depthAt(s.x) >= 0; };
+    DynamicList<seed> kept;
+    labelHashSet dry;
+    for (const seed& s : body.seeds)
     {
-        if (region.depthAt(body.seeds[k].x) >= 0)
-        {
-            taken.insert(k);
-        }
-    };
-    forAll (body.seeds, k)
-    {
+        bool taken = false;
         for (const releaseBody& bed : bodies_)
         {
-            take(k, regions_[bed.release]);
+            if (within(regions_[bed.release], s))
+            {
+                taken = true;
+                if (!hasWater(bed.release))
+                {
+                    dry.insert(bed.release);
+                }
+            }
         }
         for (const waterBody& water : waters_)
         {
-            take(k, *water.region);
+            taken = taken || within(*water.region, s);
         }
-    }
-    if (taken.empty())
-    {
-        return;
-    }
-    DynamicList<seed> kept;
-    forAll (body.seeds, k)
-    {
-        if (!taken.found(k))
+        if (!taken)
         {
-            kept.append(body.seeds[k]);
+            kept.append(s);
         }
     }
-    const scalar share = scalar(kept.size()) / scalar(body.seeds.size());
-    Info << "Water of release " << names_[body.release] << " gives way to other"
-         << " releases: " << taken.size() << " of " << body.seeds.size()
-         << " particles and " << (1 - share) * body.room << " m3 are left out"
-         << nl << nl;
-    body.room *= share;
-    body.latticeVolume *= share;
+    const scalar n = body.seeds.size();
+    if (kept.size() < body.seeds.size())
+    {
+        Info << "Water of release " << names_[body.release]
+             << " gives way to other releases: " << n - kept.size() << " of "
+             << n << " particles and " << (1 - kept.size() / n) * body.room
+             << " m3 are left out" << nl << nl;
+    }
+    for (const label bed : dry.sortedToc())
+    {
+        WarningInFunction
+            << "Release " << names_[bed] << " stands in the water of release "
+            << names_[body.release] << ", but its own pores are dry. Write"
+            << " water { saturation 1; } into it if that is not meant." << endl;
+    }
+    body.room *= kept.size() / n;
+    body.latticeVolume *= kept.size() / n;
     body.seeds.transfer(kept);
 }
 

@@ -139,7 +139,8 @@ void scenePreparation::reportWater(const waterBody& body) const
             << " Masses are exact all the same. A smaller spacing helps, or one"
             << " that divides the height." << endl;
     }
-    if (n.mean < fewLayers)
+    // the grains of a bed speak for its water, and for that on top
+    if (n.mean < fewLayers && !regionDicts_[body.release]->found("grains"))
     {
         WarningInFunction << "Release " << name << ": its water is only "
                           << n.mean << " particles thick on average; five need"
@@ -259,8 +260,14 @@ void scenePreparation::report() const
         reportRelease(i);
     }
     const runEstimate run = estimate();
-    Info << "Expected" << nl << "    memory          " << run.memory / 1048576
-         << " MiB" << nl << "    largest speed   " << run.maxSpeed
+    Info << "Expected" << nl;
+    if (has("water"))
+    {
+        Info << "    particles       " << grains_.size() << " of grains, "
+             << water_.size() << " of water" << nl;
+    }
+    Info << "    memory          " << run.memory / 1048576 << " MiB" << nl
+         << "    largest speed   " << run.maxSpeed
          << (dict_.found("maxSpeed") ? " m/s, given"
                                      : " m/s, free fall over the relief")
          << nl << "    wave speed      " << run.waveSpeed << " m/s" << nl

@@ -207,7 +207,7 @@ void paintCells(
                 // A little of the relief shows through, the colour stays
                 // that of the bar
                 const scalar light = min(1.0, 1 + 0.2 * (grey - levelShade));
-                const colour c = viridis(value / top);
+                const colour c = map.colours(value / top);
                 ink = {light * c.r, light * c.g, light * c.b};
             }
             picture.blend(x, y, ink, 1);
@@ -435,7 +435,9 @@ void paintColourBar(
     for (label y = label(y0); y < label(y1); ++y)
     {
         const scalar part = (scalar(y) + 0.5 - y0) / (y1 - y0);
-        picture.fillRectangle(x0, scalar(y), x1, scalar(y) + 1, viridis(part));
+        picture.fillRectangle(
+            x0, scalar(y), x1, scalar(y) + 1, map.colours(part)
+        );
     }
     picture.line(
         pointField({
@@ -573,6 +575,19 @@ void paintPanel(
     paintArrow(picture, map, x + 20, y - 180);
 }
 
+//- Colour at 0..1 of a table with n steps
+colour between(const colour* table, const label n, const scalar part)
+{
+    const scalar p = scalar(n) * std::clamp(part, scalar(0), scalar(1));
+    const label k = min(label(p), n - 1);
+    const scalar a = p - scalar(k);
+    const colour &c = table[k], &d = table[k + 1];
+    return {
+        (1 - a) * c.r + a * d.r,
+        (1 - a) * c.g + a * d.g,
+        (1 - a) * c.b + a * d.b};
+}
+
 } // namespace
 
 
@@ -597,14 +612,24 @@ colour viridis(const scalar part)
         {0.678489, 0.863742, 0.189503},
         {0.845561, 0.887322, 0.099702},
         {0.993248, 0.906157, 0.143936}};
-    const scalar p = 16 * std::clamp(part, scalar(0), scalar(1));
-    const label k = min(label(p), label(15));
-    const scalar a = p - scalar(k);
-    const colour &c = table[k], &d = table[k + 1];
-    return {
-        (1 - a) * c.r + a * d.r,
-        (1 - a) * c.g + a * d.g,
-        (1 - a) * c.b + a * d.b};
+    return between(table, 16, part);
+}
+
+
+colour blues(const scalar part)
+{
+    // Blues of nine classes by ColorBrewer, without the palest, which is the
+    // colour of a level ground
+    static const colour table[] = {
+        {0.871, 0.922, 0.969},
+        {0.776, 0.859, 0.937},
+        {0.620, 0.792, 0.882},
+        {0.420, 0.682, 0.839},
+        {0.259, 0.573, 0.776},
+        {0.129, 0.443, 0.710},
+        {0.031, 0.318, 0.612},
+        {0.031, 0.188, 0.420}};
+    return between(table, 7, part);
 }
 
 

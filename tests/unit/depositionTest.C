@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "bulkColumns.H"
 #include "columnSample.H"
 #include "contours.H"
 #include "depositionControls.H"
@@ -10,11 +11,13 @@
 #include "heightField.H"
 #include "overlapScore.H"
 #include "runoutPath.H"
+#include "sampleCase.H"
 
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
+#include <fstream>
 #include <random>
 
 using namespace Foam;
@@ -587,4 +590,166 @@ TEST_CASE("depositionControls: defaults, and a wrong word is an error")
         CHECK_THROWS(readDepositionControls(bad, scales, "flume"));
     }
     FatalIOError.throwExceptions(before);
+}
+
+
+namespace
+{
+
+//- Grains of 2500 kg/m3, 0.6 of the bulk, 1 x 1 x 0.5 m, and water in them
+struct wetBed
+{
+    static constexpr scalar dx = 0.05, present = 0.5 * dx;
+    planGrid grid = cells(-0.5, -0.5, 0.05, 40, 40);
+    cloudSample grains = slab(dx, 1, 1, 10), water;
+
+    //- water: layers of the lattice, in the pores as far as there are grains
+    wetBed(const label layers, const scalar saturation)
+        : water(slab(dx, 1, 1, layers))
+    {
+        grains.mass = 2500 * 0.6 * grains.volume;
+        water.space = water.volume;
+        forAll (water.x, i)
+        {
+            water.volume[i] *= water.x[i].z() < 0.5 ? 0.4 * saturation : 1;
+        }
+        water.mass = 1000 * water.volume;
+    }
+
+    columnSample columns(const cloudSample& sample) const
+    {
+        const scalarField heights(sample.x.component(vector::Z)());
+        return sampleColumns(grid, level(grid), sample, heights, 0);
+    }
+
+    columnSample bulk() const
+    {
+        const columnSample g = columns(grains), w = columns(water);
+        return bulkColumns(
+            grid, {g, 2500, present}, {w, 1000, present}, present
+        );
+    }
+
+    label middle() const { return grid.index(20, 20); }
+};
+
+} // namespace
+
+
+TEST_CASE("deposition: water in the pores takes no room")
+{
+    // partly full, full, 0.1 m of water on top
+    const label k = GENERATE(0, 1, 2);
+    const label layers[] = {10, 10, 12};
+    const scalar S[] = {0.5, 1, 1};
+    const wetBed bed(layers[k], S[k]);
+    const columnSample grains = bed.columns(bed.grains), bulk = bed.bulk();
+    const scalar height = scalar(layers[k]) * wetBed::dx;
+    const label c = bed.middle();
+    CHECK(bulk.thicknessVertical[c] == Approx(height).epsilon(0.01));
+    CHECK(bulk.depth[c] == Approx(height).epsilon(0.03));
+    CHECK(bulk.volumeInside == Approx(height).epsilon(1e-9));
+    CHECK(sum(bulk.mass) == Approx(750 + sum(bed.water.mass)).epsilon(1e-12));
+    if (k == 0)
+    {
+        CHECK(
+            max(mag(bulk.thicknessVertical - grains.thicknessVertical)) < 1e-12
+        );
+    }
+    const columnSample water = bed.columns(bed.water);
+    CHECK(
+        water.thicknessVertical[c]
+        == Approx(0.2 * S[k] + height - 0.5).epsilon(0.01)
+    );
+    // by the space that the particles take, not by the volume of their water
+    CHECK(water.depth[c] == Approx(height).epsilon(0.03));
+}
+
+TEST_CASE("deposition: where one phase is alone, the bulk is that phase")
+{
+    wetBed bed(10, 1);
+    bed.water.x = bed.water.x + vector(0, 0, 0);
+    for (point& x : bed.water.x)
+    {
+        x.x() += 5;
+    }
+    bed.grid = cells(-0.5, -0.5, 0.05, 140, 40);
+    const columnSample grains = bed.columns(bed.grains);
+    const columnSample water = bed.columns(bed.water), bulk = bed.bulk();
+    forAll (bulk.depth, c)
+    {
+        const bool left = bed.grid.centre(c % 140, c / 140).x() < 3;
+        const columnSample& alone = left ? grains : water;
+        REQUIRE(
+            mag(bulk.thicknessVertical[c] - alone.thicknessVertical[c]) < 1e-12
+        );
+        if (bulk.thicknessVertical[c] > wetBed::present)
+        {
+            REQUIRE(bulk.depth[c] == alone.depth[c]);
+        }
+    }
+}
+
+TEST_CASE("deposition: the speed of the bulk is that of its momentum")
+{
+    wetBed bed(10, 1);
+    bed.grains.U = vector(1, 0, 0);
+    bed.water.U = vector(3, 0, 0);
+    const columnSample bulk = bed.bulk();
+    // 1500 kg/m3 of grains, 400 of water
+    CHECK(
+        bulk.meanSpeed[bed.middle()]
+        == Approx((1500 * 1 + 400 * 3) / 1900.0).epsilon(1e-9)
+    );
+    CHECK(bulk.maxSpeed[bed.middle()] == 3);
+    const cloudTotals all = totals(joined(bed.grains, bed.water));
+    CHECK(all.mass == Approx(950));
+    CHECK(all.meanSpeed == Approx((750 * 1 + 200 * 3) / 950.0));
+}
+
+TEST_CASE("deposition: volume of water is its mass over its density")
+{
+    cloudState state;
+    state.positions = vectorField(2, vector::zero);
+    state.scalars.set("mass", scalarField(2, 2.0));
+    state.scalars.set("alpha", scalarField(2, 0.4));
+    state.scalars.set("rho", scalarField(2, 1010.0)); // compressed a little
+    const releaseScales scales{0.2, 0.26, -1, 0, 0.1, 0.13};
+    const cloudSample water =
+        sampleOf(state, "water", 1000, scales.of("water"));
+    CHECK(water.volume[0] == Approx(0.002));
+    CHECK(water.taken()[0] == Approx(0.005));
+    CHECK(water.h[0] == 0.13);
+    const cloudSample grains = sampleOf(state, "grains", 2500, scales);
+    CHECK(grains.volume[0] == Approx(2 / 1010.0));
+    CHECK(grains.h[0] == 0.26);
+    state.scalars.erase("alpha");
+    CHECK(
+        errorOf([&] { sampleOf(state, "water", 1000, scales); }
+        ).find("has no field alpha")
+        != std::string::npos
+    );
+}
+
+TEST_CASE("deposition: water has lengths of its own")
+{
+    const temporaryFolder folder;
+    mkDir(folder.path() / "constant");
+    const auto read = [&](const std::string& text)
+    {
+        std::ofstream(folder.path() / "constant" / "releaseProperties")
+            << "FoamFile { version 2.0; format ascii; class dictionary; object"
+               " releaseProperties; }\nspacing 0.2; smoothingLength 0.26; "
+            << text << '\n';
+        return readReleaseScales(folder.path());
+    };
+    const releaseScales alone = read("");
+    CHECK(alone.of("water").spacing == 0.2);
+    CHECK(alone.of("water").smoothingLength == 0.26);
+    const releaseScales both =
+        read("waterSpacing 0.1; waterSmoothingLength 0.13;");
+    CHECK(both.of("water").spacing == 0.1);
+    CHECK(both.of("water").smoothingLength == 0.13);
+    CHECK(both.of("grains").spacing == 0.2);
+    CHECK(both.of("bulk").spacing == 0.2);
 }

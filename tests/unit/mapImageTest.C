@@ -69,6 +69,19 @@ TEST_CASE("mapImage: viridis gets lighter all the way")
     }
 }
 
+TEST_CASE("mapImage: blues get darker all the way")
+{
+    scalar last = 1;
+    for (label k = 0; k <= 100; ++k)
+    {
+        const colour c = blues(0.01 * scalar(k));
+        const scalar light = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+        CHECK(light < last);
+        CHECK(c.b >= c.r);
+        last = light;
+    }
+}
+
 
 TEST_CASE("mapImage, plotImage: write pictures without a display")
 {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "fieldUnits.H"
 #include "ground.H"
 #include "sampleCase.H"
 #include "timeSeries.H"
@@ -27,6 +28,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <set>
 #include <type_traits>
 
 using namespace Foam;
@@ -365,4 +367,41 @@ TEST_CASE("timeSeries: a restart gives no duplicates, a rerun nothing stale")
     rerun.prune({{0, dir / "grains_10.vtp"}, {0.1, dir / "grains_10.vtp"}});
     rerun.write();
     CHECK(timesIn(dir / "grains.pvd") == "0.1 ");
+}
+
+
+TEST_CASE("vtk: every field of a cloud in the design has units")
+{
+    std::ifstream is(getEnv("LPF_PROJECT_DIR") + "/doc/design.md");
+    std::string line;
+    bool isCloud = false;
+    std::set<std::string> fields;
+    while (std::getline(is, line))
+    {
+        isCloud = line.rfind("## ", 0) == 0
+                    ? line.find("Files of a cloud") != std::string::npos
+                    : isCloud;
+        if (!isCloud || line.rfind("| `", 0) != 0)
+        {
+            continue;
+        }
+        // names stand in the first cell, each in a pair of ticks
+        const std::string names = line.substr(0, line.find('|', 1));
+        for (auto at = names.find('`'); at != std::string::npos;
+             at = names.find('`', names.find('`', at + 1) + 1))
+        {
+            fields.insert(names.substr(at + 1, names.find('`', at + 1) - at - 1)
+            );
+        }
+    }
+    fields.erase("positions");
+    CHECK(fields.size() >= 14);
+    for (const std::string& name : fields)
+    {
+        INFO(name);
+        CHECK(!unitsOf(word(name)).empty());
+    }
+    CHECK(unitsOf("drag") == "m/s2");
+    CHECK(unitsOf("gradPForce") == "m/s2");
+    CHECK(unitsOf("S") == "1");
 }

@@ -263,6 +263,108 @@ TEST_CASE("on a slope the pressure is that below the level", "[release][water]")
     CHECK(nFree * 8e-6 == Approx(0.01).epsilon(0.15));
 }
 
+TEST_CASE("level water stands on an inclined surface", "[release][water]")
+{
+    // bed parallel to a slope of 3 in 4, in a box that is closed below
+    const scene s(
+        "spacing 0.02; origin (0 0 0);"
+        "lattice { axes ((0.8 0 -0.6) (0 1 0) (0.6 0 0.8)); }"
+        "ground { type plane; point (0 0 0); normal (0.6 0 0.8);"
+        " direction (0.8 0 -0.6); size (20 20); zone floor; }"
+        "release { type fill; box ((0 0 0) (1.12 0.5 0.16)); volume 0.1;"
+        " surface parallel; grains { solidFraction 0.5; } water { mass 80;"
+        " excess onTop; } }",
+        "grains water"
+    );
+    const cloudState water = s.cloud("water");
+    CHECK(sum(water.scalars["mass"]) == Approx(80).epsilon(1e-12));
+    scalar level = -GREAT;
+    label nFree = 0;
+    forAll (water.positions, i)
+    {
+        const scalar head = water.scalars["p"][i] / 1e4;
+        if (water.scalars["alpha"][i] > 0.9)
+        {
+            ++nFree;
+            level = nFree > 1 ? level : water.positions[i].z() + head;
+            REQUIRE(water.positions[i].z() + head == Approx(level));
+        }
+    }
+    CHECK(nFree * 8e-6 == Approx(0.03).epsilon(0.1));
+    // the bed, 0.25 m thick: beneath the water the pressure goes on, where
+    // the bed emerges it is that of seepage
+    const vector n(0.6, 0, 0.8);
+    label nUnder = 0, nBeside = 0;
+    forAll (water.positions, i)
+    {
+        const point& x = water.positions[i];
+        const scalar depth = 0.25 - (n & x);
+        const scalar top = x.z() + 0.8 * depth;
+        const scalar p = water.scalars["p"][i];
+        if (depth > 0 && top < level - 0.01)
+        {
+            ++nUnder;
+            REQUIRE(p == Approx(1e4 * (level - x.z())));
+        }
+        else if (depth > 0 && top > level)
+        {
+            ++nBeside;
+            REQUIRE(p == Approx(8e3 * depth));
+        }
+    }
+    CHECK(nUnder > 1000);
+    CHECK(nBeside > 1000);
+}
+
+TEST_CASE(
+    "a tank is filled on by what its bed does not hold", "[release][water]"
+)
+{
+    const scene s(
+        "spacing 0.05; origin (0 0 0);"
+        "ground { floor { type polygon; points ((0 0 0) (1 0 0.5) (1 1 0.5)"
+        " (0 1 0)); } walls { type box; zone floor; min (0 0 0); max (1 1 2);"
+        " side inside; omit (zMin zMax); } }"
+        "release { type tank; box ((-1 -1 -1) (3 3 3)); level 1;"
+        " grains { solidFraction 0.5; } water { mass 575; excess onTop; } }",
+        "grains water"
+    );
+    const cloudState water = s.cloud("water");
+    CHECK(sum(water.scalars["mass"]) == Approx(575).epsilon(1e-12));
+    // pores of 0.375 m3 below z = 1, 0.2 m3 over 1 m2 above
+    const scalar level = water.positions[0].z() + water.scalars["p"][0] / 1e4;
+    CHECK(level == Approx(1.2).epsilon(2e-3));
+    checkHydrostatic(water, level);
+}
+
+TEST_CASE("a dry bed in a lake stays dry", "[release][water]")
+{
+    const scene s(
+        start
+            + "release { lake { type tank; box ((-0.5 -0.5 0) (1.5 1.5 2));"
+              " level 0.8; water { } } bed { type box; corner (0 0 0);"
+              " edges ((1 0 0) (0 1 0) (0 0 0.5)); grains { solidFraction 0.6;"
+              " } } }",
+        "grains water"
+    );
+    const cloudState water = s.cloud("water");
+    CHECK(water.size() == 20 * 20 * 8 - 500);
+    CHECK(sum(water.scalars["mass"]) == Approx(2700).epsilon(1e-9));
+    const cloudState grains = readCloud(s.path() / "0", "grains");
+    const scalar depth = 0.5 - grains.positions[0].z();
+    CHECK(grains.symmTensors["sigma"][0].zz() == Approx(-15000 * depth));
+}
+
+TEST_CASE("memory of a run counts both phases", "[release][water]")
+{
+    const auto bytes = [](const label grains, const label water) {
+        return estimateRun({grains, water, 0.13, 0.5, 1, 10, 1, 0}).memory;
+    };
+    CHECK(bytes(1000, 500) == bytes(1000, 0) + bytes(0, 500));
+    CHECK(bytes(0, 1000) == 400e3);
+    CHECK(bytes(1000, 0) == 700e3);
+}
+
 TEST_CASE("along a slope the pressure is that of seepage", "[release][water]")
 {
     const scene s(
@@ -435,6 +537,25 @@ TEST_CASE("what water must not say", "[release][water]")
     CHECK(contains(alone("excess onTop;"), "This release has no grains"));
     CHECK(contains(alone("spacingRatio 2;"), "has only one of them"));
     CHECK(contains(alone("mass -1;"), "greater than 0"));
+    CHECK(contains(
+        message(
+            "release { type box; corner (0 0 0.5); edges ((1 0 0) (0 1 0)"
+            " (0 0 -0.5)); grains { solidFraction 0.6; } water { mass 250;"
+            " excess onTop; } }",
+            "grains water"
+        ),
+        "does not look upwards"
+    ));
+    CHECK(contains(
+        message(
+            "release { type fill; box ((0 0 0) (1 1 0.55)); volume 0.5;"
+            " surface level; grains { solidFraction 0.6; } water { mass 270;"
+            " excess onTop; } }",
+            "grains water"
+        ),
+        "Above the bed there is room for 0.05 m3 within the box, the excess is"
+        " 0.07 m3"
+    ));
     // less than half a spacing on top
     CHECK(contains(
         inBed("mass 230; excess onTop;"), "Water of release release has no"

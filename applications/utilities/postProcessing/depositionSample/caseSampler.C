@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "caseSampler.H"
 
+#include "bulkColumns.H"
 #include "crs.H"
 #include "inputCheck.H"
 #include "polyline.H"
@@ -12,6 +13,12 @@ namespace Foam
 {
 namespace lpf
 {
+
+wordList partsOf(const word& cloud)
+{
+    return cloud == "bulk" ? wordList{"grains", "water"} : wordList{cloud};
+}
+
 
 caseSampler::caseSampler(
     const fileName& caseDir,
@@ -37,7 +44,7 @@ caseSampler::caseSampler(
     }
     Info << " m; times: " << times_.size() << " from " << times_.first().name()
          << " to " << times_.last().name() << " s" << nl << endl;
-    if (controls_.outlineAbove < present())
+    if (controls_.outlineAbove < present("grains"))
     {
         Info << "Note: the outline at " << controls_.outlineAbove
              << " m is thinner than half a particle (spacing "
@@ -84,7 +91,11 @@ void caseSampler::findTimes(const instantList& all, const instantList& selected)
 
 void caseSampler::findClouds()
 {
-    const wordList there(cloudNames(caseDir_ / times_.last().name()));
+    wordList there(cloudNames(caseDir_ / times_.last().name()));
+    if (there.found("grains") && there.found("water"))
+    {
+        there.append("bulk");
+    }
     clouds_ = controls_.clouds.empty() ? there : controls_.clouds;
     string names;
     for (const word& cloud : there)
@@ -113,7 +124,10 @@ boundBox caseSampler::particleBox() const
     {
         for (const word& cloud : clouds_)
         {
-            box.add(readCloud(timeDir, cloud).positions);
+            for (const word& part : partsOf(cloud))
+            {
+                box.add(readCloud(timeDir, part).positions);
+            }
         }
     };
     // The extent given is enough, unless the axis of plane strain is needed
@@ -193,16 +207,63 @@ cloudSample caseSampler::read(const fileName& timeDir, const word& cloud) const
         readCloud(timeDir, cloud),
         cloud,
         readPhaseDensity(caseDir_, cloud),
-        scales_
+        scales_.of(cloud)
     );
 }
 
 
+columnSample
+caseSampler::columns(const cloudSample& particles, const scalar present) const
+{
+    return sampleColumns(
+        grid_, bedCells_, particles, heightsAbove(*bed_, particles.x), present
+    );
+}
+
+
+caseSampler::state
+caseSampler::stateOf(const fileName& timeDir, const word& cloud) const
+{
+    if (cloud == "bulk")
+    {
+        return bulkOf(timeDir);
+    }
+    state now;
+    now.particles = read(timeDir, cloud);
+    now.columns = columns(now.particles, present(cloud));
+    now.total = totals(now.particles);
+    return now;
+}
+
+
+caseSampler::state caseSampler::bulkOf(const fileName& timeDir) const
+{
+    const cloudSample grains(read(timeDir, "grains"));
+    const cloudSample water(read(timeDir, "water"));
+    const columnSample grainColumns(columns(grains, 0));
+    const columnSample waterColumns(columns(water, 0));
+    state now;
+    now.particles = joined(grains, water);
+    now.columns = bulkColumns(
+        grid_,
+        {grainColumns, readPhaseDensity(caseDir_, "grains"), present("grains")},
+        {waterColumns, readPhaseDensity(caseDir_, "water"), present("water")},
+        present("bulk")
+    );
+    now.total = totals(now.particles);
+    // not the sum of the two: water in the pores takes no more room
+    now.total.volume = now.columns.volumeInside + now.columns.volumeOutside;
+    return now;
+}
+
+
 timeRecord caseSampler::record(
-    const scalar time, const cloudSample& particles, const columnSample& now
+    const scalar time, const state& at, const scalar present
 ) const
 {
-    timeRecord row{time, totals(particles), 0, 0, 0, 0, {}};
+    const cloudSample& particles = at.particles;
+    const columnSample& now = at.columns;
+    timeRecord row{time, at.total, 0, 0, 0, 0, {}};
     row.maxThickness = max(max(now.thicknessVertical), scalar(0));
     forAll (now.thicknessVertical, c)
     {
@@ -222,7 +283,7 @@ timeRecord caseSampler::record(
             path.massFronts(particles.x, particles.mass, shares)
         );
         pathFronts all;
-        all[0] = path.front(grid_, now.thicknessVertical, present());
+        all[0] = path.front(grid_, now.thicknessVertical, present);
         all[1] = fronts[0];
         all[2] = fronts[1];
         row.fronts.append(all);
@@ -238,7 +299,7 @@ deposit caseSampler::sample(const word& cloud) const
         caseDir_,
         caseDir_ / times_.last().name(),
         controls_,
-        scales_,
+        scales_.of(cloud),
         dict_,
         *bed_,
         grid_,
@@ -247,29 +308,18 @@ deposit caseSampler::sample(const word& cloud) const
         depositionFields(grid_.size()),
         scalarField(),
         {}};
-    const auto columns = [&](const cloudSample& particles)
-    {
-        return sampleColumns(
-            grid_,
-            bedCells_,
-            particles,
-            heightsAbove(*bed_, particles.x),
-            present()
-        );
-    };
     scalar outside = 0;
     for (const instant& t : times_)
     {
         const fileName timeDir = caseDir_ / t.name();
-        const cloudSample particles(read(timeDir, cloud));
-        const columnSample now(columns(particles));
-        result.fields.add(t.value(), now, bedCells_, present());
-        result.records.append(record(t.value(), particles, now));
+        const state now(stateOf(timeDir, cloud));
+        result.fields.add(t.value(), now.columns, bedCells_, present(cloud));
+        result.records.append(record(t.value(), now, present(cloud)));
         if (timeDir == releaseDir_)
         {
-            result.releaseThickness = now.thicknessVertical;
+            result.releaseThickness = now.columns.thicknessVertical;
         }
-        outside = max(outside, now.volumeOutside);
+        outside = max(outside, now.columns.volumeOutside);
     }
     if (outside > 1e-9 * result.records.last().total.volume)
     {
@@ -280,7 +330,7 @@ deposit caseSampler::sample(const word& cloud) const
     if (result.releaseThickness.empty())
     {
         result.releaseThickness =
-            columns(read(releaseDir_, cloud)).thicknessVertical;
+            stateOf(releaseDir_, cloud).columns.thicknessVertical;
     }
     return result;
 }

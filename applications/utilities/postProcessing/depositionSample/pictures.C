@@ -109,7 +109,8 @@ stringList captionOf(const deposit& result, const findings& found)
     lines.append(
         "t = " + threeDigits(last.time) + " s, last of "
         + Foam::name(result.records.size()) + " written times from "
-        + threeDigits(result.records.first().time) + " s.  Bulk volume "
+        + threeDigits(result.records.first().time) + " s.  "
+        + (result.cloud == "grains" ? "Bulk volume " : "Volume ")
         + volumeText(last.total.volume) + ", " + volumeText(last.volumeAbove)
         + " of it above " + threeDigits(result.controls.outlineAbove) + " m on "
         + threeDigits(found.outline.area()) + " m\u00b2."
@@ -144,8 +145,8 @@ stringList captionOf(const deposit& result, const findings& found)
     }
     lines.append(
         "Particle spacing " + threeDigits(result.scales.spacing) + " m, cells "
-        + threeDigits(result.grid.dx)
-        + " m.  Thickness: kernel-smoothed bulk volume per plan area."
+        + threeDigits(result.grid.dx) + " m.  Thickness: kernel-smoothed "
+        + volumeName(result.cloud) + " per plan area."
     );
     return stringList(std::move(lines));
 }
@@ -172,6 +173,7 @@ void writeDepositMap(
     map.valueFrom =
         min(result.controls.outlineAbove, 0.5 * result.scales.spacing);
     map.valueTitle = "Thickness, vertical [m]";
+    map.colours = result.cloud == "water" ? blues : viridis;
     map.lines = linesOf(result, found);
     map.title = result.controls.title + ": deposit of " + result.cloud
               + " at t = " + threeDigits(result.records.last().time) + " s";

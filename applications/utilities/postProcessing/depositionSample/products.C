@@ -145,7 +145,8 @@ void writeOutline(
         features[k].attributes =
             List<scalar>({result.records.last().time, area.value, area.area()});
     }
-    setDate(result.lastDir / "lagrangian" / result.cloud / "positions");
+    const word particles = partsOf(result.cloud).last();
+    setDate(result.lastDir / "lagrangian" / particles / "positions");
     writeFeatures(
         folder / "outline." + result.controls.outlineFormat,
         featureType::polygons,
@@ -178,6 +179,15 @@ findings findingsOf(const deposit& result)
         }
     }
     return found;
+}
+
+
+string volumeName(const word& cloud)
+{
+    return cloud == "water" ? "volume of the water"
+         : cloud == "bulk" ? "volume of the grains with pores, or of solid and "
+                             "water where that is more"
+                           : "bulk volume";
 }
 
 

@@ -116,8 +116,10 @@ stringList frontNotes(const deposit& result)
         "the fastest particle"
     );
     notes.append(
-        "volume: bulk, of all particles; areaAbove, volumeAbove: of the cells "
-        "thicker than "
+        "volume: "
+        + (result.cloud == "grains" ? string("bulk") : volumeName(result.cloud))
+        + ", of all particles; areaAbove, volumeAbove: of the cells thicker "
+          "than "
         + Foam::name(result.controls.outlineAbove)
         + " m; x, y, z: centre of mass"
     );
@@ -291,6 +293,16 @@ scalar thicknessOverDepth(const deposit& result)
 }
 
 
+void summariseScore(summary& line, const observedScore& score)
+{
+    const string name = "observed " + score.name + ": ";
+    line(name + "CSI", score.csi, "-");
+    line(name + "in both", score.truePositive * score.cellArea, "m2");
+    line(name + "only simulated", score.falsePositive * score.cellArea, "m2");
+    line(name + "only observed", score.falseNegative * score.cellArea, "m2");
+}
+
+
 void writeSummary(
     const fileName& file, const deposit& result, const findings& found
 )
@@ -306,9 +318,10 @@ void writeSummary(
     line("spacing", result.scales.spacing, "m");
     line("cell", result.grid.dx, "m");
     line("mass", last.total.mass, "kg");
-    line("bulk volume", last.total.volume, "m3");
+    const string volume = result.cloud == "grains" ? "bulk volume" : "volume";
+    line(volume, last.total.volume, "m3");
     line(
-        "bulk volume at the first time sampled",
+        volume + " at the first time sampled",
         result.records.first().total.volume,
         "m3"
     );
@@ -344,15 +357,7 @@ void writeSummary(
     }
     for (const observedScore& score : found.scores)
     {
-        const string name = "observed " + score.name + ": ";
-        line(name + "CSI", score.csi, "-");
-        line(name + "in both", score.truePositive * score.cellArea, "m2");
-        line(
-            name + "only simulated", score.falsePositive * score.cellArea, "m2"
-        );
-        line(
-            name + "only observed", score.falseNegative * score.cellArea, "m2"
-        );
+        summariseScore(line, score);
     }
 }
 

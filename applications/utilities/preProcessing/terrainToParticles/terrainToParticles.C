@@ -2,13 +2,13 @@
 /*
 Application  terrainToParticles
 Description  Makes a case that lpfSolver starts from: ground, particles with
-             exact masses and initial stress, mesh for display. Says before
-             the run what it will take. Writes everything or nothing.
+             exact masses, initial stress and pressure, mesh for display. Says
+             before the run what it will take. Writes everything or nothing.
 Usage        terrainToParticles [-case <dir>] [-dict <file>]
              Reads  system/terrainToParticlesDict, constant/g,
                     constant/phaseProperties, constant/boundaryProperties
              Writes constant/terrain, constant/polyMesh,
-                    constant/releaseProperties, 0/lagrangian/grains
+                    constant/releaseProperties, 0/lagrangian/<phase>
              Manual etc/caseDicts/annotated/terrainToParticlesDict
 */
 #include "argList.H"
