@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "waterDynamics.H"
 
+#include "latticeSums.H"
 #include "orderedSum.H"
 
 namespace Foam
@@ -59,6 +60,11 @@ waterDynamics::waterDynamics(
 )
     : phaseDynamics(engine, scene, contact, water), scheme_(scheme),
       state_(state), viscosity_(viscosity), withGrains_(withGrains),
+      gradientScale_(lpfPairs::latticeFactor(
+          lpfPairs::wendlandC2(scene.h, scene.dimensions),
+          scene.spacing,
+          scene.dimensions
+      )),
       water(withGrains)
 {
 }
@@ -124,6 +130,7 @@ void waterDynamics::divergence()
     p.w = water.U[2].data();
     p.V = water.V.data();
     p.rho = water.rho.data();
+    p.scale = gradientScale_;
     p.rho0 = state_.rho0();
     for (direction d = 0; d < 3; ++d)
     {
@@ -150,7 +157,8 @@ void waterDynamics::addGround()
                 {
                     const auto slot = static_cast<std::size_t>(slot_[i]);
                     nearWall& near = near_[slot];
-                    near.areaNormal = contracted(thirdMoment(walls_[slot]));
+                    near.areaNormal =
+                        gradientScale_ * contracted(thirdMoment(walls_[slot]));
                     water.rate[i] +=
                         2 * (at(water.U, i) & toVector(near.areaNormal));
                 }
@@ -215,6 +223,7 @@ lpfPairs::waterForcePass waterDynamics::forcePass()
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
     p.thickness = scene_.planeThickness;
+    p.scale = gradientScale_;
     p.x = water.x[0].data();
     p.y = water.x[1].data();
     p.z = water.x[2].data();
@@ -263,8 +272,8 @@ void waterDynamics::pressureOfGround(int i, nearWall& near) const
     const vector A = at(water.a, i);
     const scalar share = 1 / max(leastOpen, 1 - wall.share) - 1;
     const vector along = water.mass[i] * share * (A - (A & n) * n);
-    const vector deeper =
-        (-V * water.rho[i]) * toVector(secondMoment(wall) & toVec(scene_.g));
+    const vector deeper = (-gradientScale_ * V * water.rho[i])
+                        * toVector(secondMoment(wall) & toVec(scene_.g));
 
     const vector adjoint = (2 * V * water.p[i]) * nA;
     near.force = adjoint + deeper; // (T 5.12)

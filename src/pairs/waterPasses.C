@@ -31,7 +31,8 @@ LPF_ONE_BODY void continuityOfParticle(
         W.supportSqr(),
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
-            const pack VF = load(p.V + j) * W.gradByDistance(rSqr);
+            const pack VF =
+                pack(p.scale) * load(p.V + j) * W.gradByDistance(rSqr);
             addVelocityGradient(
                 total, VF, x_ij, v_i - loadVec(p.u, p.v, p.w, j)
             );
@@ -141,7 +142,8 @@ LPF_ONE_BODY void forceOnWater(
         W.supportSqr(),
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
-            const pack VF = load(p.V + j) * W.gradByDistance(rSqr);
+            const pack VF =
+                pack(p.scale) * load(p.V + j) * W.gradByDistance(rSqr);
             addPressureForce(total, VF, P_i, load(p.P + j), x_ij);
             if constexpr (kind != friction::none)
             {
