@@ -163,7 +163,7 @@ void interphase::porosity()
     waterStore& water = water_.water;
     const int n = grains.size();
 
-    Vs_.resize(n);
+    resize(n);
     for (int k = 0; k < n; ++k)
     {
         Vs_[k] =
@@ -192,19 +192,22 @@ void interphase::porosity()
     leastTheta_ = 1 - solid;
 }
 
-void interphase::moments()
+void interphase::resize(int n)
 {
-    const grainStore& grains = grains_.grains;
-    const waterStore& water = water_.water;
-    const int n = grains.size();
-    share_.resize(n);
-    Q_.resize(n);
-    P_.resize(n);
+    for (auto* f : {&Vs_, &share_, &Q_, &P_})
+    {
+        f->resize(n);
+    }
     lpf::resize(gradient_, n);
     lpf::resize(C_, n);
     lpf::resize(fromGrains_, n);
     lpf::resize(fromWater_, n);
+}
 
+void interphase::moments()
+{
+    const grainStore& grains = grains_.grains;
+    const waterStore& water = water_.water;
     lpfPairs::waterMomentsPass p = {};
     static_cast<lpfPairs::crossPass&>(p) = crossed(grains_, water_);
     p.u = grains.U[0].data();

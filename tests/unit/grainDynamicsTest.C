@@ -149,6 +149,7 @@ struct testScene
         scene = {
             dx,
             h,
+            h,
             3,
             1,
             vector(0, 1, 0),

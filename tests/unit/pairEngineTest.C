@@ -431,7 +431,7 @@ results forcesByPairs(const cloud& c, const damping& by)
 
 lpfPairs::wallPass wallPassOf(cloud& c)
 {
-    lpfPairs::wallPass p;
+    lpfPairs::wallPass p = {};
     c.fill(p);
     // the ground has no images, as groundContact::present says
     p.elements = c.elements.grid;
@@ -455,12 +455,14 @@ lpfPairs::wallPass wallPassOf(cloud& c)
 }
 
 
-//- N3 (10), D2 (6), area, friction, then the nearest element: its squared
+//- N3 (10), D2 (6), area, friction, share, then the nearest element: its
+//squared
 //  distance, plane distance, normal, and whether there is one
 results wallsBy(const pairEngine& engine, cloud& c)
 {
-    results all(24, c.n);
+    results all(25, c.n);
     lpfPairs::wallPass p = wallPassOf(c);
+    p.withShare = true;
     std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
         engine.wallSlots(p.cells, p.elements, c.slot.data())
     ));
@@ -473,15 +475,15 @@ results wallsBy(const pairEngine& engine, cloud& c)
             continue;
         }
         const auto& r = records[static_cast<std::size_t>(c.slot[i])];
-        double values[23];
+        double values[24];
         static_assert(sizeof(values) == sizeof(r), "all of the record");
         std::memcpy(values, &r, sizeof(r));
-        const bool found = values[18] < 4 * h * h;
-        for (std::size_t k = 0; k < 23; ++k)
+        const bool found = values[19] < 4 * h * h;
+        for (std::size_t k = 0; k < 24; ++k)
         {
-            all.column(k)[i] = k < 18 || found ? values[k] : 0;
+            all.column(k)[i] = k < 19 || found ? values[k] : 0;
         }
-        all.column(23)[i] = found;
+        all.column(24)[i] = found;
     }
     return all;
 }
@@ -490,13 +492,13 @@ results wallsBy(const pairEngine& engine, cloud& c)
 //- The same by looking at all elements
 results wallsByElements(cloud& c)
 {
-    results all(24, c.n);
+    results all(25, c.n);
     const lpfPairs::wallPass p = wallPassOf(c);
     const wendlandC2 W(h, c.dimensions);
     for (int i = 0; i < c.n; ++i)
     {
         lpfPairs::WallSums<double> sum = {};
-        double values[24] = {};
+        double values[25] = {};
         double nearest = 4 * h * h;
         for (int q = 0; q < c.nElements; ++q)
         {
@@ -506,7 +508,7 @@ results wallsByElements(cloud& c)
             {
                 nearest = rSqr;
                 const double seen[6] = {rSqr, d, n.x(), n.y(), n.z(), 1};
-                std::memcpy(values + 18, seen, sizeof(seen));
+                std::memcpy(values + 19, seen, sizeof(seen));
             }
             if (d > -p.behind && rSqr < 4 * h * h)
             {
@@ -518,11 +520,12 @@ results wallsByElements(cloud& c)
                     vec(n),
                     c.mu[q]
                 );
+                sum.share += solidShare(W, rSqr, d, c.area[q]);
             }
         }
-        static_assert(sizeof(sum) == 18 * sizeof(double), "all of the sums");
+        static_assert(sizeof(sum) == 19 * sizeof(double), "all of the sums");
         std::memcpy(values, &sum, sizeof(sum));
-        for (std::size_t k = 0; k < 24; ++k)
+        for (std::size_t k = 0; k < 25; ++k)
         {
             all.column(k)[i] = values[k];
         }
@@ -609,10 +612,11 @@ TEST_CASE("pair engines: ground of every instruction set")
                 CHECK(expected.apart(got, 0, 10) < 1e-13);
                 CHECK(expected.apart(got, 10, 16) < 1e-13);
                 CHECK(expected.apart(got, 16, 18) < 1e-13);
-                // found or not, and which: the same element
                 CHECK(expected.apart(got, 18, 19) < 1e-13);
+                // found or not, and which: the same element
                 CHECK(expected.apart(got, 19, 20) < 1e-13);
-                CHECK(expected.apart(got, 20, 24) == 0);
+                CHECK(expected.apart(got, 20, 21) < 1e-13);
+                CHECK(expected.apart(got, 21, 25) == 0);
             }
         }
     );

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains and water in a periodic box: momentum, dissipation, relaxation and
+// terminal slip of the drag; momentum and energy of the pressure coupling.
+
+#include <catch2/catch.hpp>
+
+#include "engineLoader.H"
+#include "interphase.H"
+#include "sampleGrains.H"
+#include "triangles.H"
+
+#include "StringStream.H"
+
+#include <random>
+
+using namespace Foam;
+using namespace Foam::lpf;
+
+namespace
+{
+
+constexpr double dx = 0.1, h = 1.3 * dx, rhoGrain = 2600, rhoWater = 1000;
+constexpr double diameter = 1e-3, mu = 1e-3;
+constexpr int cells = 12; // of dx along each edge of the box
+constexpr double period = cells * dx;
+
+//- beta = a constant, to compare with exact solutions
+class linearDrag : public dragLaw
+{
+public:
+    scalar value = 0;
+    scalar beta(const dragPoint&, scalar) const override { return value; }
+};
+
+//- No stress: grains that only drag and pressure move
+class stressless : public granularRheology
+{
+public:
+    using granularRheology::granularRheology;
+    rheologyLosses correct(const grainArrays&, double) const override
+    {
+        return {};
+    }
+    double storedEnergy(const grainPoint&) const override { return 0; }
+};
+
+autoPtr<ground> farGround()
+{
+    List<corners> t;
+    t.append(corners{point(500, 0, 0), point(501, 0, 0), point(501, 1, 0)});
+    PtrList<groundPart> parts;
+    parts.append(autoPtr<groundPart>(new triangles(t, labelList(1, label(0)))));
+    return autoPtr<ground>::New(
+        std::move(parts), wordList({"floor"}), Zero, ""
+    );
+}
+
+dictionary dictOf(const char* text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+//- A periodic box of grains and water
+struct box
+{
+    sceneProperties scene;
+    autoPtr<ground> bed = farGround();
+    groundContact contact;
+    stressless rheology;
+    autoPtr<equationOfState> state;
+    autoPtr<viscosityModel> viscosity;
+    linearDrag law;
+    std::unique_ptr<grainDynamics> grains;
+    std::unique_ptr<waterDynamics> water;
+    std::unique_ptr<interphase> coupling;
+    randomNumbers random;
+    double solid;
+
+    static sceneProperties makeScene()
+    {
+        sceneProperties s = {};
+        s.spacing = dx;
+        s.h = s.largestH = h;
+        s.dimensions = 3;
+        s.planeThickness = 1;
+        s.planeNormal = vector(0, 1, 0);
+        s.g = Zero;
+        s.cyclic.lower = Zero;
+        s.cyclic.period = vector::uniform(period);
+        s.domain = boundBox(vector::uniform(-1e3), vector::uniform(1e3));
+        return s;
+    }
+
+    box(double solidFraction, double jitter, unsigned seed)
+        : scene(makeScene()), contact(
+                                  *bed,
+                                  dictOf("zones { floor { friction none; } }"),
+                                  dx,
+                                  0,
+                                  vector(0, 1, 0)
+                              ),
+          rheology(elasticity(
+              dictOf("nu 0.3; E 1e6;"), {solidFraction * rhoGrain, 1, 1}
+          )),
+          state(equationOfState::New(
+              dictOf("rho 1000; TaitCoeffs { soundSpeed 20; }"), {}
+          )),
+          viscosity(viscosityModel::New(dictOf("NewtonianCoeffs { mu 1e-3; }"))
+          ),
+          random(seed), solid(solidFraction)
+    {
+        const lpfPairs::pairEngine& engine = lpfPairs::loadPairEngine("auto");
+        waterScheme scheme;
+        scheme.artificialViscosity = 0;
+        scheme.densityDiffusion = 0;
+        grains.reset(
+            new grainDynamics(engine, scene, {}, rheology, contact, true)
+        );
+        water.reset(new waterDynamics(
+            engine, scene, scheme, *state, *viscosity, contact, true
+        ));
+        coupling.reset(
+            new interphase(engine, *grains, *water, law, rhoGrain, diameter)
+        );
+        fill(grains->grains, jitter, solid * rhoGrain);
+        fill(water->water, jitter, (1 - solid) * rhoWater);
+        grainStore& g = grains->grains;
+        for (int i = 0; i < g.size(); ++i)
+        {
+            g.rho[i] = g.rhoRef[i] = solid * rhoGrain;
+        }
+        for (int i = 0; i < water->water.size(); ++i)
+        {
+            water->water.rho[i] = rhoWater;
+        }
+    }
+
+    void fill(particleStore& s, double jitter, double density)
+    {
+        const std::vector<vector> x =
+            jitteredLattice(random, Zero, {cells, cells, cells}, dx, jitter);
+        s.resize(int(x.size()));
+        for (int i = 0; i < s.size(); ++i)
+        {
+            set(s.x, i, x[std::size_t(i)]);
+            s.mass[i] = density * dx * dx * dx;
+            s.id[i] = i;
+        }
+    }
+
+    //- Order, volumes, porosity: what drag needs
+    void arrange()
+    {
+        grains->rates(1e-6, 0);
+        water->arrange(0);
+        coupling->porosity();
+    }
+
+    double kinetic() const
+    {
+        return grains->energy().kinetic + water->energy().kinetic;
+    }
+
+    vector momentum() const
+    {
+        return grains->energy().momentum + water->energy().momentum;
+    }
+
+    //- Sum of the magnitudes, what rounding is measured by
+    double momenta() const
+    {
+        double total = 0;
+        for (const phaseDynamics* p :
+             {static_cast<const phaseDynamics*>(grains.get()),
+              static_cast<const phaseDynamics*>(water.get())})
+        {
+            const particleStore& s = p->particles();
+            for (int i = 0; i < s.size(); ++i)
+            {
+                total += s.mass[i] * mag(at(s.U, i));
+            }
+        }
+        return total;
+    }
+
+    template<class Velocity>
+    void setU(const Velocity& U)
+    {
+        for (particleStore* s :
+             {static_cast<particleStore*>(&grains->grains),
+              static_cast<particleStore*>(&water->water)})
+        {
+            for (int i = 0; i < s->size(); ++i)
+            {
+                set(s->U, i, U(at(s->x, i), s == &grains->grains));
+                set(s->a, i, Zero);
+            }
+        }
+    }
+
+    //- beta for which the slip relaxes in tau
+    void relaxIn(double tau)
+    {
+        const double rf = (1 - solid) * rhoWater, rb = solid * rhoGrain;
+        law.value = rf * rb / ((rf + rb) * tau);
+    }
+
+    vector meanU(const particleStore& s) const
+    {
+        vector total = Zero;
+        double mass = 0;
+        for (int i = 0; i < s.size(); ++i)
+        {
+            total += s.mass[i] * at(s.U, i);
+            mass += s.mass[i];
+        }
+        return total / mass;
+    }
+
+    vector slip() const { return meanU(water->water) - meanU(grains->grains); }
+};
+
+} // namespace
+
+
+TEST_CASE("drag: momentum, and no kinetic energy at any dt/tau")
+{
+    box b(0.45, 0.15 * dx, 1);
+    b.arrange();
+    randomNumbers random(2);
+    double worst = 0;
+    int raised = 0;
+    for (int k = 0; k < 1000; ++k)
+    {
+        b.setU([&](const vector&, bool) { return random.inCube(1); });
+        b.relaxIn(1);
+        const double before = b.kinetic();
+        const vector momentum = b.momentum();
+        b.coupling->drag(std::pow(10, random(-6, 6)));
+        raised += b.kinetic() > before * (1 + 1e-14);
+        worst = max(worst, mag(b.momentum() - momentum) / b.momenta());
+    }
+    CHECK(raised == 0);
+    CHECK(worst < 2e-15);
+}
+
+
+TEST_CASE("drag: a shear wave without slip keeps its energy")
+{
+    box b(0.5, 0.15 * dx, 3);
+    b.arrange();
+    b.setU([](const vector& x, bool)
+           { return vector(std::sin(2 * M_PI * x.z() / period), 0, 0); });
+    b.relaxIn(1e-6);
+    const double before = b.kinetic();
+    for (int k = 0; k < 10; ++k)
+    {
+        b.coupling->drag(1);
+    }
+    const double kept = b.kinetic() / before;
+    INFO("kept " << kept);
+    CHECK(kept > 0.99);
+    CHECK(kept <= 1);
+}
+
+
+TEST_CASE("drag: uniform slip relaxes as exp(-t/tau)")
+{
+    box b(0.5, 0, 4);
+    b.arrange();
+    const double tau = 0.3;
+    b.relaxIn(tau);
+    for (const double ratio : {0.01, 0.1, 1.0, 5.0})
+    {
+        b.setU([](const vector&, bool isGrain)
+               { return isGrain ? vector(0, 0, 0) : vector(1, 0, 0); });
+        const int steps = max(1, int(std::lround(1 / ratio)));
+        for (int k = 0; k < steps; ++k)
+        {
+            b.coupling->drag(ratio * tau);
+        }
+        const double expected = std::exp(-ratio * steps);
+        INFO("dt/tau " << ratio);
+        CHECK(b.slip().x() == Approx(expected).epsilon(0.01));
+    }
+}
+
+
+TEST_CASE("drag: the forced slip ends at da tau at any dt/tau")
+{
+    box b(0.5, 0, 5);
+    b.arrange();
+    const vector da(0, 0, 9.81);
+    const double dt = 1e-3;
+    for (const double ratio : {1e-2, 1.0, 10.0, 1e3, 1e6})
+    {
+        const double tau = dt / ratio;
+        b.relaxIn(tau);
+        b.setU([](const vector&, bool) { return vector(Zero); });
+        const int steps = int(std::ceil(30 / min(1.0, ratio)));
+        waterStore& w = b.water->water;
+        for (int k = 0; k < steps; ++k)
+        {
+            for (int i = 0; i < w.size(); ++i)
+            {
+                set(w.a, i, da);
+                set(w.U, i, at(w.U, i) + dt * da);
+            }
+            b.coupling->drag(dt);
+        }
+        INFO("dt/tau " << ratio);
+        CHECK(b.slip().z() == Approx(da.z() * tau).epsilon(1e-6));
+    }
+}
+
+
+TEST_CASE("pressure coupling: momentum, and the power that water stores")
+{
+    box b(0.45, 0.15 * dx, 6);
+    randomNumbers random(7);
+    waterStore& w = b.water->water;
+    for (int i = 0; i < w.size(); ++i)
+    {
+        w.rho[i] = rhoWater * random(1, 1.02);
+    }
+    b.setU([&](const vector&, bool) { return random.inCube(1); });
+    const double dt = 1e-9;
+
+    b.grains->rates(dt, 0);
+    b.water->arrange(0);
+    b.coupling->porosity();
+    b.water->divergence();
+    b.coupling->divergence();
+    const double before = b.water->energy().elastic;
+    b.water->correct(dt);
+    const double stored = (b.water->energy().elastic - before) / dt;
+    b.water->accelerations();
+    b.coupling->forces();
+
+    double power = 0, size = 0;
+    vector force = Zero;
+    double forces = 0;
+    for (const particleStore* s :
+         {static_cast<const particleStore*>(&b.grains->grains),
+          static_cast<const particleStore*>(&w)})
+    {
+        for (int i = 0; i < s->size(); ++i)
+        {
+            const vector f = s->mass[i] * at(s->a, i);
+            power += f & at(s->U, i);
+            size += mag(f & at(s->U, i));
+            force += f;
+            forces += mag(f);
+        }
+    }
+    // viscosity takes next to nothing here, and only from the power
+    CHECK(mag(force) < 1e-13 * forces);
+    INFO("power " << power << " stored " << stored << " size " << size);
+    CHECK(mag(power + stored) < 2e-4 * size);
+}
+
+
+TEST_CASE("pressure coupling: grains feel a linear pressure exactly")
+{
+    box b(0.5, 0.1 * dx, 8);
+    waterStore& w = b.water->water;
+    const vector G(3, -2, 5);
+    b.setU([](const vector&, bool) { return vector(Zero); });
+    b.grains->rates(1e-9, 0);
+    b.water->arrange(0);
+    for (int i = 0; i < w.size(); ++i)
+    {
+        w.rho[i] = rhoWater;
+    }
+    b.coupling->porosity();
+    b.water->divergence();
+    b.coupling->divergence();
+    b.water->correct(0);
+    for (int i = 0; i < w.size(); ++i)
+    {
+        w.p[i] = 100 + (G & at(w.x, i));
+    }
+    b.water->accelerations();
+    b.coupling->forces();
+
+    const grainStore& g = b.grains->grains;
+    double worst = 0;
+    int inside = 0;
+    for (int k = 0; k < g.size(); ++k)
+    {
+        const vector x = at(g.x, k);
+        // the pressure is no function of the periodic box
+        if (cmptMin(x) > 2.1 * h && cmptMax(x) < period - 2.1 * h)
+        {
+            ++inside;
+            const vector a = at(g.gradPForce, k);
+            worst = max(worst, mag(a + G / rhoGrain) / mag(G / rhoGrain));
+        }
+    }
+    CHECK(inside > 100);
+    CHECK(worst < 1e-10);
+}
+
+
+TEST_CASE("Gidaspow: the blend of Ergun and Wen-Yu, finite without slip")
+{
+    const dictionary dict = dictOf("drag Gidaspow;");
+    const autoPtr<dragLaw> law = dragLaw::New(dict);
+    dragPoint p = {0.5, 0.5, rhoWater, mu, diameter};
+    const double ergun = 150 * 0.25 * mu / (0.5 * sqr(diameter));
+    CHECK(law->beta(p, 0) == Approx(ergun).epsilon(0.01));
+    CHECK(
+        law->beta(p, 1)
+        == Approx(ergun + 1.75 * 0.5 * rhoWater / diameter).epsilon(0.01)
+    );
+    // one grain: Stokes, 18 mu/d^2 of its volume
+    p.solid = 1e-6;
+    p.fluid = 1 - p.solid;
+    CHECK(
+        law->beta(p, 1e-9)
+        == Approx(18 * mu / sqr(diameter) * p.solid).epsilon(0.01)
+    );
+}
