@@ -25,14 +25,16 @@ constexpr scalar leastPorosity = 0.05;
 //- Densest packing that a drag law is asked for
 constexpr scalar densest = 0.74;
 
-//- A grain with less of the kernel full of water feels less of its pressure
-constexpr scalar wetShare = 0.5;
+//- Share of the open kernel that water fills, from which the gradient of its
+//  pressure is corrected, and is corrected in full
+constexpr scalar wetFrom = 0.45, wetTo = 0.65;
 
 //- Less water around than this share of the kernel is none
 constexpr scalar dryShare = 1e-6;
 
-//- Condition number above which a gradient is not corrected
-constexpr scalar worstCondition = 1e3;
+//- Norm of a correction above which it is not applied, 1.7 where water is all
+//  around
+constexpr scalar largestCorrection = 6;
 
 //- Share of the kernel that is not ground, as a divisor
 scalar openShare(scalar groundShare)
@@ -101,18 +103,24 @@ scalar norm(const Tens& a)
     return sqrt(a && a);
 }
 
-//- Inverse of a, the unit tensor where a is nearly singular
-Tens inverseOrUnit(const Tens& a)
+//- Inverse of a, where it is not much larger than the unit tensor; else none
+bool invert(const Tens& a, Tens& inverse)
 {
-    const Tens unit = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const Tens cofactors = {cross(a.y, a.z), cross(a.z, a.x), cross(a.x, a.y)};
     const scalar det = a.x & cofactors.x;
     if (!(mag(det) > VSMALL))
     {
-        return unit;
+        return false;
     }
-    const Tens inverse = (1 / det) * transpose(cofactors);
-    return norm(a) * norm(inverse) < worstCondition ? inverse : unit;
+    inverse = (1 / det) * transpose(cofactors);
+    return norm(inverse) < largestCorrection;
+}
+
+//- 0 below from, 1 above to, smooth between
+scalar smoothStep(scalar from, scalar to, scalar x)
+{
+    const scalar t = min(scalar(1), max(scalar(0), (x - from) / (to - from)));
+    return sqr(t) * (3 - 2 * t);
 }
 
 } // namespace
@@ -235,9 +243,10 @@ void interphase::moments()
 }
 
 // With the centroid of the water around, xbar, SW = sum_a V_a W_ka,
-//     C = (sum_a V_a gradW (x) (x_a - xbar))^-1 min(1, 2 SW/(1 - gam))
+//     C = (sum_a V_a gradW (x) (x_a - xbar))^-1
 //     Q = sum_a V_a (C gradW).(v_k - v_a)                           (T 6.3)
-// exact for a linear pressure also where water lies on one side only
+// exact for a linear pressure also where water lies on one side only. Where it
+// fills less than half of the kernel, C = SW/(1 - gam) I, with a smooth change
 void interphase::correctionOf(int k)
 {
     const scalar SW = share_[k], Vs = Vs_[k];
@@ -257,12 +266,21 @@ void interphase::correctionOf(int k)
             fromGrains_[0][k] / SW,
             fromGrains_[1][k] / SW,
             fromGrains_[2][k] / SW};
-        const scalar wet =
-            min(scalar(1), SW / (wetShare * openShare(grains_.groundShare(k))));
-        C = wet
-          * inverseOrUnit(
-                full(N + acrossPlane_) - outer(vecAt(gradient_, k), offset)
-          );
+        const scalar full =
+            min(scalar(1), SW / openShare(grains_.groundShare(k)));
+        const Tens unit = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        C = full * unit;
+        Tens inverse;
+        if (full > wetFrom
+            && invert(
+                lpfPairs::full(N + acrossPlane_)
+                    - outer(vecAt(gradient_, k), offset),
+                inverse
+            ))
+        {
+            const scalar w = smoothStep(wetFrom, wetTo, full);
+            C = w * inverse + (1 - w) * C;
+        }
         QbySW = (C && transpose(slip)) / SW;
     }
     setTensor(C_, k, Vs * C);
