@@ -21,7 +21,7 @@ G = 9.81
 RHO = 1000.0
 RHO_GRAIN = 2600.0
 BOUND = {"gully30": 0.06, "corner90": 0.06}
-SPAN = 30
+SPAN = 10
 
 
 def write(case, scene, kind, end):
