@@ -100,7 +100,7 @@ void fillPadding(std::array<realArray, n>& arrays, int size)
 
 scalar norm(const Tens& a)
 {
-    return sqrt(a && a);
+    return sqrt(magSqr(a.x) + magSqr(a.y) + magSqr(a.z));
 }
 
 //- Inverse of a, where it is not much larger than the unit tensor; else none

@@ -74,54 +74,55 @@ struct lostPower
     pack artificial = pack(0.0), viscous = pack(0.0);
 };
 
-template<friction kind>
-void addFriction(
+//- What both kinds of friction need of a pair
+struct pairOfWater
+{
+    int i, j;
+    Vec<pack> x, v; //!< differences
+    pack rSqr, F;
+};
+
+void addArtificial(
     const waterForcePass& p,
-    const wendlandC2& W,
-    int i,
-    int j,
-    const Vec<pack>& x_ij,
-    const pack& rSqr,
+    const pairOfWater& ij,
     Vec<pack>& perMass,
+    lostPower& lost
+)
+{
+    const pack half(0.5);
+    const pack rhoMean = half * (pack(p.rho[ij.i]) + load(p.rho + ij.j));
+    const pack f = half * (pack(p.balsara[ij.i]) + load(p.balsara + ij.j));
+    const pack Pi = artificialViscosity(
+        ij.x,
+        ij.v,
+        ij.rSqr,
+        f * pack(p.alpha * p.h * p.soundSpeed),
+        pack(p.h * p.h),
+        rhoMean
+    );
+    const pack mPiF = load(p.m + ij.j) * Pi * ij.F / pack(p.thickness);
+    perMass += -mPiF * ij.x;
+    lost.artificial += half * mPiF * (ij.v & ij.x);
+}
+
+void addViscous(
+    const waterForcePass& p,
+    const pairOfWater& ij,
     Vec<pack>& perVolume,
     lostPower& lost
 )
 {
-    const Vec<pack> v_ij =
-        broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
-    const pack F = W.gradByDistance(rSqr);
-    const pack hSqr(p.h * p.h), half(0.5);
-
-    if constexpr (hasArtificial(kind))
-    {
-        const pack rhoMean = half * (pack(p.rho[i]) + load(p.rho + j));
-        const pack f = half * (pack(p.balsara[i]) + load(p.balsara + j));
-        const pack Pi = artificialViscosity(
-            x_ij,
-            v_ij,
-            rSqr,
-            f * pack(p.alpha * p.h * p.soundSpeed),
-            hSqr,
-            rhoMean
-        );
-        const pack mPiF = load(p.m + j) * Pi * F / pack(p.thickness);
-        perMass += -mPiF * x_ij;
-        lost.artificial += half * mPiF * (v_ij & x_ij);
-    }
-    if constexpr (hasViscous(kind))
-    {
-        const pack factor = viscousFactor(
-            pack(load(p.V + j) * F),
-            pack(pack(p.eta[i]) + load(p.eta + j)),
-            pack(p.dimensions + 2.0),
-            x_ij,
-            v_ij,
-            rSqr,
-            hSqr
-        );
-        perVolume += factor * x_ij;
-        lost.viscous += -half * factor * (v_ij & x_ij);
-    }
+    const pack factor = viscousFactor(
+        pack(load(p.V + ij.j) * ij.F),
+        pack(pack(p.eta[ij.i]) + load(p.eta + ij.j)),
+        pack(p.dimensions + 2.0),
+        ij.x,
+        ij.v,
+        ij.rSqr,
+        pack(p.h * p.h)
+    );
+    perVolume += factor * ij.x;
+    lost.viscous += pack(-0.5) * factor * (ij.v & ij.x);
 }
 
 template<friction kind>
@@ -130,6 +131,7 @@ LPF_ONE_BODY void forceOnWater(
 )
 {
     const pack P_i(p.P[i]);
+    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
     Vec<pack> total = {}, perMass = {}, perVolume = {};
     lostPower lost;
 
@@ -147,9 +149,21 @@ LPF_ONE_BODY void forceOnWater(
             addPressureForce(total, VF, P_i, load(p.P + j), x_ij);
             if constexpr (kind != friction::none)
             {
-                addFriction<kind>(
-                    p, W, i, j, x_ij, rSqr, perMass, perVolume, lost
-                );
+                const pairOfWater ij = {
+                    i,
+                    j,
+                    x_ij,
+                    v_i - loadVec(p.u, p.v, p.w, j),
+                    rSqr,
+                    W.gradByDistance(rSqr)};
+                if constexpr (hasArtificial(kind))
+                {
+                    addArtificial(p, ij, perMass, lost);
+                }
+                if constexpr (hasViscous(kind))
+                {
+                    addViscous(p, ij, perVolume, lost);
+                }
             }
         }
     );
