@@ -84,7 +84,8 @@ observedControls readObserved(const dictionary& dict, const word& name)
 //- A sub-dictionary that is empty when it is not there
 const dictionary& subOrEmpty(const dictionary& dict, const word& key)
 {
-    return dict.found(key) ? dict.subDict(key) : dictionary::null;
+    const dictionary* sub = optionalDictionary(dict, key);
+    return sub ? *sub : dictionary::null;
 }
 
 
@@ -132,11 +133,14 @@ void readMap(
 {
     allowOnly(dict, {"title", "width"});
     controls.title = dict.getOrDefault<string>("title", caseName);
-    bounds width;
-    width.lower = 1000;
-    width.upper = 8000;
-    width.reason = "it is the width of the picture in pixels, with its legend";
-    controls.mapWidth = label(readNumber(dict, "width", dimless, width, 1800));
+    controls.mapWidth = readInteger(
+        dict,
+        "width",
+        1000,
+        8000,
+        "it is the width of the picture in pixels, with its legend",
+        1800
+    );
 }
 
 } // namespace
@@ -158,7 +162,11 @@ depositionControls readDepositionControls(
          "map"}
     );
     depositionControls controls;
-    controls.clouds = dict.getOrDefault<wordList>("clouds", {});
+    if (dict.found("clouds"))
+    {
+        controls.clouds =
+            readWords(dict, "clouds", "write clouds (grains water bulk);");
+    }
     controls.cellSize = readNumber(
         dict,
         "cellSize",
@@ -182,12 +190,24 @@ depositionControls readDepositionControls(
     const dictionary& paths = subOrEmpty(dict, "paths");
     for (const word& name : paths.toc())
     {
-        controls.paths.append(readPath(paths.subDict(name), name));
+        controls.paths.append(readPath(
+            neededDictionary(
+                paths, name, "write " + name + " { points ((x y) (x y)); }"
+            ),
+            name
+        ));
     }
     const dictionary& observed = subOrEmpty(dict, "observed");
     for (const word& name : observed.toc())
     {
-        controls.observed.append(readObserved(observed.subDict(name), name));
+        controls.observed.append(readObserved(
+            neededDictionary(
+                observed,
+                name,
+                "write " + name + " { file \"...\"; compare ...; }"
+            ),
+            name
+        ));
     }
     return controls;
 }
