@@ -216,6 +216,58 @@ depositionControls readDepositionControls(
 namespace
 {
 
+//- FatalIOError for cells that show nothing: larger than the map, or far finer
+//  than the kernel that spreads a particle
+void checkCellSize(
+    const dictionary& dict,
+    const depositionControls& controls,
+    const releaseScales& scales,
+    const boundBox& particles
+)
+{
+    constexpr scalar finest = 0.1;
+    const scalar cell = controls.cellSize;
+    const vector room(
+        vector::one
+        * (controls.margin >= 0 ? controls.margin : 2 * scales.smoothingLength)
+    );
+    vector span = controls.hasExtent ? controls.extent.span()
+                                     : particles.span() + 2 * room;
+    span.z() = 0;
+    if (scales.flat >= 0)
+    {
+        span[direction(scales.flat)] = 0;
+    }
+    if (cell > cmptMax(span))
+    {
+        refuse(
+            dict,
+            "cellSize",
+            "cellSize = " + Foam::name(cell) + " m is more than the whole map, "
+                + Foam::name(cmptMax(span))
+                + " m: there would be one cell. Write a fair part of it, e.g. "
+                  "the spacing of the particles, "
+                + Foam::name(scales.spacing) + " m, or leave it out"
+        );
+    }
+    if (cell < finest * (1 - 1e-6) * scales.spacing)
+    {
+        refuse(
+            dict,
+            "cellSize",
+            "cellSize = " + Foam::name(cell)
+                + " m is less than a tenth of the spacing of the particles, "
+                + Foam::name(scales.spacing)
+                + " m: thickness is smooth over twice the smoothing length, "
+                + Foam::name(2 * scales.smoothingLength)
+                + " m, finer cells show nothing and take hours. Write "
+                + Foam::name(finest * scales.spacing)
+                + " or more; gdalwarp makes finer rasters of it"
+        );
+    }
+}
+
+
 //- Margin given; else beyond 2 h, where no particle is felt any more, and a
 //  twentieth of each side so that the map shows where the deposit lies
 vector roomAround(
@@ -244,6 +296,7 @@ planGrid sampleGrid(
     const point& origin
 )
 {
+    checkCellSize(dict, controls, scales, particles);
     const vector room(roomAround(controls, scales, particles));
     const point low = controls.hasExtent ? controls.extent.min() - origin
                                          : particles.min() - room;
