@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <vector>
 
@@ -169,6 +171,44 @@ void checkCommentsEnd(const Foam::fileName& file, const std::string& text)
 }
 
 
+//- A number that no double holds: OpenFOAM would stop with a floating point
+//  exception
+bool isTooLarge(const std::string& text)
+{
+    const bool isNumber =
+        text.find_first_of("0123456789") != std::string::npos
+        && text.find_first_not_of("+-.0123456789eE") == std::string::npos;
+    char* end = nullptr;
+    const double x = isNumber ? std::strtod(text.c_str(), &end) : 0;
+    return isNumber && *end == 0 && std::isinf(x);
+}
+
+
+void checkNumbers(const Foam::fileName& file, const std::string& text)
+{
+    const char* const apart = " \t\n\r;(){}[],";
+    Foam::label line = 1;
+    std::size_t at = 0;
+    while (at < text.size())
+    {
+        const auto end = std::min(text.find_first_of(apart, at), text.size());
+        const std::string piece = text.substr(at, end - at);
+        if (isTooLarge(piece))
+        {
+            stop(
+                file,
+                line,
+                piece
+                    + " is too large for a number: nothing of a scene is as "
+                      "large in SI units"
+            );
+        }
+        line += end < text.size() && text[end] == '\n';
+        at = end + 1;
+    }
+}
+
+
 //- The bracket c of a line closes the last of those open
 void close(
     std::vector<openBracket>& open,
@@ -210,6 +250,7 @@ void Foam::lpf::checkText(const fileName& file)
     const std::string whole = textOf(file);
     checkCommentsEnd(file, whole);
     const std::string text = withoutComments(whole, quoted::blank);
+    checkNumbers(file, text);
     std::vector<openBracket> open;
     label line = 1;
     for (const char c : text)

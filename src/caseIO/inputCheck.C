@@ -7,6 +7,7 @@
 #include "ListOps.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
+#include "sigFpe.H"
 
 #include <algorithm>
 #include <cctype>
@@ -114,6 +115,13 @@ string rule(const lpf::bounds& b)
 }
 
 
+//- No quantity of a scene is larger; products of such numbers stay finite
+bool isAbsurd(const scalar x)
+{
+    return !(mag(x) <= GREAT);
+}
+
+
 bool inside(const lpf::bounds& b, const scalar x)
 {
     return (b.lowerOpen ? x > b.lower : x >= b.lower)
@@ -164,11 +172,13 @@ public:
             );
         }
         const scalar x = tokens_[at_++].number();
-        if (!std::isfinite(x))
+        if (isAbsurd(x))
         {
             refuse(
                 entry_.keyword() + " = " + written(entry_)
-                + " is not finite: write a number"
+                + " is beyond 1e15, larger than anything of a scene in SI "
+                  "units: it must be "
+                + expected
             );
         }
         return x;
@@ -401,17 +411,20 @@ Foam::word Foam::lpf::nearestWord(const word& given, const wordList& valid)
 }
 
 
-Foam::dictionary Foam::lpf::readDictionary(const fileName& file)
+Foam::dictionary
+Foam::lpf::readDictionary(const fileName& file, const char* remedy)
 {
     if (!isFile(file))
     {
         FatalIOError("", "", 0, file, -1, -1)
             << "the file does not exist; "
             << (isDir(file.path())
-                    ? "write it, tutorials show how"
+                    ? remedy
                     : "its folder neither: is this the case directory?")
             << exit(FatalIOError);
     }
+    // a number too large, or #eval{ 1/0 }: what reads the value refuses it
+    const sigFpe::ignore noTrap;
     checkText(file);
     IFstream is(file);
     if (!is.good())
@@ -567,9 +580,11 @@ Foam::scalar Foam::lpf::readNumber(
 Foam::Pair<Foam::scalar>
 Foam::lpf::readInterval(const dictionary& dict, const word& key)
 {
-    const ITstream& is = dict.lookup(key, keyType::LITERAL);
+    const ITstream& is =
+        found(dict, key, "'" + key + " (<lower> <upper>);' in m").stream();
     if (is.size() != 4 || is[0] != token::BEGIN_LIST || !is[1].isNumber()
         || !is[2].isNumber() || is[3] != token::END_LIST
+        || isAbsurd(is[1].number()) || isAbsurd(is[2].number())
         || !(is[1].number() < is[2].number()))
     {
         lpf::refuse(
@@ -589,9 +604,106 @@ Foam::lpf::optionalDictionary(const dictionary& dict, const word& key)
     const entry* found = dict.findEntry(key, keyType::LITERAL);
     if (found && !found->isDict())
     {
-        lpf::refuse(dict, key, key + " is a dictionary; write " + key + " {}");
+        lpf::refuse(
+            dict,
+            key,
+            key + " = " + written(*found) + ": " + key
+                + " is a dictionary; write " + key + " {}"
+        );
     }
     return found ? &found->dict() : nullptr;
+}
+
+
+const Foam::dictionary& Foam::lpf::neededDictionary(
+    const dictionary& dict, const word& key, const string& remedy
+)
+{
+    const entry* found = dict.findEntry(key, keyType::LITERAL);
+    if (!found)
+    {
+        const word near = nearestWord(key, dict.toc());
+        lpf::refuse(
+            dict,
+            key,
+            "There is no dictionary " + key + "; " + remedy
+                + (near.empty() ? "" : ". Is '" + near + "' meant to be it?")
+        );
+    }
+    if (!found->isDict())
+    {
+        lpf::refuse(
+            dict,
+            key,
+            key + " = " + written(*found) + ": " + key + " is a dictionary; "
+                + remedy
+        );
+    }
+    return found->dict();
+}
+
+
+Foam::wordList Foam::lpf::readWords(
+    const dictionary& dict, const word& key, const string& remedy
+)
+{
+    const entry& e = found(dict, key, "it as a list: " + remedy);
+    const ITstream& is = e.stream();
+    wordList words;
+    bool good = is.size() > 1 && is[0] == token::BEGIN_LIST
+             && is[is.size() - 1] == token::END_LIST;
+    for (label k = 1; good && k + 1 < is.size(); ++k)
+    {
+        good = is[k].isWord();
+        words.append(good ? is[k].wordToken() : word());
+    }
+    if (!good)
+    {
+        refuse(
+            dict,
+            key,
+            key + " = " + written(e) + " is no list of words in (); " + remedy
+        );
+    }
+    return words;
+}
+
+
+Foam::label Foam::lpf::readInteger(
+    const dictionary& dict,
+    const word& key,
+    const label lower,
+    const label upper,
+    const char* reason,
+    const label deflt
+)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return deflt;
+    }
+    const string wanted =
+        "a whole number "
+        + (upper < labelMax
+               ? "from " + Foam::name(lower) + " to " + Foam::name(upper)
+               : "of at least " + Foam::name(lower));
+    valueTokens tokens(dict, found(dict, key, "'" + key + " <number>;'"));
+    tokens.passName();
+    tokens.checkDimensions(dimless, "'" + key + " <number>;'");
+    const scalar x = tokens.number(wanted + ": " + reason);
+    tokens.checkEnd();
+    if (x < lower || x > upper || x > std::floor(x))
+    {
+        refuse(
+            dict,
+            key,
+            key + " = " + shown(x) + " must be " + wanted
+                + (x > labelMax ? ", and at most " + Foam::name(labelMax)
+                                : std::string())
+                + ": " + reason
+        );
+    }
+    return label(x);
 }
 
 
@@ -696,5 +808,25 @@ Foam::vector Foam::lpf::readGravity(const fileName& caseDir)
     valueTokens(dict, *e).checkDimensions(
         dimAcceleration, "'dimensions " + shown(dimAcceleration) + ";'"
     );
-    return readVector(dict, "value", dimAcceleration);
+    const vector g = readVector(dict, "value", dimAcceleration);
+    if (!(mag(g) > 0))
+    {
+        refuse(
+            dict,
+            "value",
+            "Gravity is zero: nothing would move, and there is no upwards; "
+            "write value (0 0 -9.81);"
+        );
+    }
+    constexpr scalar most = 1e5; // a centrifuge of 10 000 g
+    if (mag(g) > most)
+    {
+        refuse(
+            dict,
+            "value",
+            "Gravity is " + shown(mag(g)) + " m/s2, above " + shown(most)
+                + " is taken for a slip; write value (0 0 -9.81);"
+        );
+    }
+    return g;
 }

@@ -2,6 +2,7 @@
 #include "cellShares.H"
 
 #include "DynamicList.H"
+#include "labelList.H"
 
 #include <cmath>
 
@@ -23,6 +24,42 @@ inline scalar shape(const scalar q)
     const scalar s = 1 - 0.5 * q;
     return s * s * s * s * (2 * q + 1);
 }
+
+//- Cells without ground below and left of a corner, for sums of rectangles
+class groundCount
+{
+    const planGrid& grid_;
+    labelList sum_;
+
+    label at(const label i, const label j) const
+    {
+        return sum_[i + (grid_.nx + 1) * j];
+    }
+
+public:
+    groundCount(const planGrid& grid, const scalarField& ground)
+        : grid_(grid), sum_((grid.nx + 1) * (grid.ny + 1), label(0))
+    {
+        for (label j = 0; j < grid.ny; ++j)
+        {
+            for (label i = 0; i < grid.nx; ++i)
+            {
+                sum_[i + 1 + (grid.nx + 1) * (j + 1)] =
+                    at(i + 1, j) + at(i, j + 1) - at(i, j)
+                    + (ground[grid.index(i, j)] > 0 ? 0 : 1);
+            }
+        }
+    }
+
+    //- Ground everywhere in the rectangle around a cell, as far as the grid
+    bool isWhole(label i, label j, label ri, label rj) const
+    {
+        const label i0 = max(i - ri, label(0)), j0 = max(j - rj, label(0));
+        const label i1 = min(i + ri + 1, grid_.nx);
+        const label j1 = min(j + rj + 1, grid_.ny);
+        return at(i1, j1) - at(i0, j1) - at(i1, j0) + at(i0, j0) == 0;
+    }
+};
 
 } // namespace
 
@@ -66,14 +103,33 @@ scalar cellShares::offset(const int axis, const label k, const scalar x) const
 }
 
 
+//- Points of a cell along one axis that the kernel reaches, half open: a cell
+//  may be much larger than that
+std::pair<label, label>
+cellShares::points(const int axis, const label cell, const plume& from) const
+{
+    const label first = cell * n_[axis], last = first + n_[axis];
+    if (grid_.flat == axis)
+    {
+        return {first, last};
+    }
+    const scalar p = (from.x[direction(axis)] - lower(axis)) / step_[axis];
+    const scalar r = 2 * from.h / step_[axis] + 1;
+    return {
+        max(first, label(std::floor(p - r))),
+        min(last, label(std::ceil(p + r)) + 1)};
+}
+
+
 scalar
 cellShares::kernelSum(const label i, const label j, const plume& from) const
 {
+    const auto columns = points(0, i, from), rows = points(1, j, from);
     scalar total = 0;
-    for (label k = j * n_[1]; k < (j + 1) * n_[1]; ++k)
+    for (label k = rows.first; k < rows.second; ++k)
     {
         const scalar sy = sqr(offset(1, k, from.x.y()));
-        for (label l = i * n_[0]; l < (i + 1) * n_[0]; ++l)
+        for (label l = columns.first; l < columns.second; ++l)
         {
             const scalar sx = sqr(offset(0, l, from.x.x()));
             total += shape(sqrt(sx + sy) / from.h);
@@ -131,11 +187,21 @@ void cellShares::findEnds(const groundOnGrid& bed, const scalar h)
         return total;
     };
 
-    // Cells with ground that the kernel connects with cells without
+    // Cells with ground that the kernel connects with cells without. Most have
+    // none of these around, which a count of the rectangle tells at once
+    const groundCount count(grid_, ground);
+    label reach[2] = {0, 0};
+    for (const neighbour& d : kernel)
+    {
+        reach[0] = max(reach[0], mag(d.di));
+        reach[1] = max(reach[1], mag(d.dj));
+    }
     DynamicList<label> near;
     for (label c = 0; c < grid_.size(); ++c)
     {
-        if (ground[c] > 0 && convolved(c) < whole * (1 - 1e-12))
+        if (ground[c] > 0
+            && !count.isWhole(c % grid_.nx, c / grid_.nx, reach[0], reach[1])
+            && convolved(c) < whole * (1 - 1e-12))
         {
             near.append(c);
         }

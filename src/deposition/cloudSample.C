@@ -88,8 +88,10 @@ releaseScales releaseScales::of(const word& cloud) const
 
 releaseScales readReleaseScales(const fileName& caseDir)
 {
-    const dictionary dict =
-        readDictionary(caseDir / "constant" / "releaseProperties");
+    const dictionary dict = readDictionary(
+        caseDir / "constant" / "releaseProperties",
+        "terrainToParticles writes it: run that first"
+    );
     bounds positive;
     positive.lower = 0;
     positive.lowerOpen = true;
@@ -127,7 +129,12 @@ scalar readPhaseDensity(const fileName& caseDir, const word& cloud)
     positive.lower = 0;
     positive.lowerOpen = true;
     positive.reason = "it is the density of the phase itself, as 2600 of rock";
-    return readNumber(dict.subDict(cloud), "rho", dimDensity, positive);
+    return readNumber(
+        neededDictionary(dict, cloud, "write " + cloud + " { rho ..; }"),
+        "rho",
+        dimDensity,
+        positive
+    );
 }
 
 

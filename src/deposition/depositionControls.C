@@ -84,7 +84,8 @@ observedControls readObserved(const dictionary& dict, const word& name)
 //- A sub-dictionary that is empty when it is not there
 const dictionary& subOrEmpty(const dictionary& dict, const word& key)
 {
-    return dict.found(key) ? dict.subDict(key) : dictionary::null;
+    const dictionary* sub = optionalDictionary(dict, key);
+    return sub ? *sub : dictionary::null;
 }
 
 
@@ -132,11 +133,14 @@ void readMap(
 {
     allowOnly(dict, {"title", "width"});
     controls.title = dict.getOrDefault<string>("title", caseName);
-    bounds width;
-    width.lower = 1000;
-    width.upper = 8000;
-    width.reason = "it is the width of the picture in pixels, with its legend";
-    controls.mapWidth = label(readNumber(dict, "width", dimless, width, 1800));
+    controls.mapWidth = readInteger(
+        dict,
+        "width",
+        1000,
+        8000,
+        "it is the width of the picture in pixels, with its legend",
+        1800
+    );
 }
 
 } // namespace
@@ -158,7 +162,11 @@ depositionControls readDepositionControls(
          "map"}
     );
     depositionControls controls;
-    controls.clouds = dict.getOrDefault<wordList>("clouds", {});
+    if (dict.found("clouds"))
+    {
+        controls.clouds =
+            readWords(dict, "clouds", "write clouds (grains water bulk);");
+    }
     controls.cellSize = readNumber(
         dict,
         "cellSize",
@@ -182,12 +190,24 @@ depositionControls readDepositionControls(
     const dictionary& paths = subOrEmpty(dict, "paths");
     for (const word& name : paths.toc())
     {
-        controls.paths.append(readPath(paths.subDict(name), name));
+        controls.paths.append(readPath(
+            neededDictionary(
+                paths, name, "write " + name + " { points ((x y) (x y)); }"
+            ),
+            name
+        ));
     }
     const dictionary& observed = subOrEmpty(dict, "observed");
     for (const word& name : observed.toc())
     {
-        controls.observed.append(readObserved(observed.subDict(name), name));
+        controls.observed.append(readObserved(
+            neededDictionary(
+                observed,
+                name,
+                "write " + name + " { file \"...\"; compare ...; }"
+            ),
+            name
+        ));
     }
     return controls;
 }
@@ -195,6 +215,58 @@ depositionControls readDepositionControls(
 
 namespace
 {
+
+//- FatalIOError for cells that show nothing: larger than the map, or far finer
+//  than the kernel that spreads a particle
+void checkCellSize(
+    const dictionary& dict,
+    const depositionControls& controls,
+    const releaseScales& scales,
+    const boundBox& particles
+)
+{
+    constexpr scalar finest = 0.1;
+    const scalar cell = controls.cellSize;
+    const vector room(
+        vector::one
+        * (controls.margin >= 0 ? controls.margin : 2 * scales.smoothingLength)
+    );
+    vector span = controls.hasExtent ? controls.extent.span()
+                                     : particles.span() + 2 * room;
+    span.z() = 0;
+    if (scales.flat >= 0)
+    {
+        span[direction(scales.flat)] = 0;
+    }
+    if (cell > cmptMax(span))
+    {
+        refuse(
+            dict,
+            "cellSize",
+            "cellSize = " + Foam::name(cell) + " m is more than the whole map, "
+                + Foam::name(cmptMax(span))
+                + " m: there would be one cell. Write a fair part of it, e.g. "
+                  "the spacing of the particles, "
+                + Foam::name(scales.spacing) + " m, or leave it out"
+        );
+    }
+    if (cell < finest * (1 - 1e-6) * scales.spacing)
+    {
+        refuse(
+            dict,
+            "cellSize",
+            "cellSize = " + Foam::name(cell)
+                + " m is less than a tenth of the spacing of the particles, "
+                + Foam::name(scales.spacing)
+                + " m: thickness is smooth over twice the smoothing length, "
+                + Foam::name(2 * scales.smoothingLength)
+                + " m, finer cells show nothing and take hours. Write "
+                + Foam::name(finest * scales.spacing)
+                + " or more; gdalwarp makes finer rasters of it"
+        );
+    }
+}
+
 
 //- Margin given; else beyond 2 h, where no particle is felt any more, and a
 //  twentieth of each side so that the map shows where the deposit lies
@@ -224,6 +296,7 @@ planGrid sampleGrid(
     const point& origin
 )
 {
+    checkCellSize(dict, controls, scales, particles);
     const vector room(roomAround(controls, scales, particles));
     const point low = controls.hasExtent ? controls.extent.min() - origin
                                          : particles.min() - room;

@@ -15,6 +15,9 @@ namespace lpf
 namespace
 {
 
+// A path much longer than its steps is a slip; more points do no harm then
+constexpr scalar mostStations = 1e6;
+
 scalar planDistance(const point& a, const point& b)
 {
     return std::hypot(b.x() - a.x(), b.y() - a.y());
@@ -47,7 +50,7 @@ pointField stations(const pointField& vertices, const scalar step)
     {
         const point a = vertices[v - 1];
         const scalar length = planDistance(a, vertices[v]);
-        const label n = label(std::ceil(length / step));
+        const label n = label(std::ceil(min(length / step, mostStations)));
         for (label k = 1; k <= n; ++k)
         {
             points.append(a + (scalar(k) / scalar(n)) * (vertices[v] - a));

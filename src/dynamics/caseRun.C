@@ -65,6 +65,11 @@ void caseRun::step()
     const scalar dtBefore = control_.deltaT;
 
     flow_.rates(dtBefore, control_.time);
+    if (report || !stepped_)
+    {
+        mostBytes_ = max(mostBytes_, flow_.bytes());
+    }
+    stepped_ = true;
     flow_.kick(0.5 * dtBefore);
 
     // synchronous time: velocities, positions and stress belong together
@@ -103,6 +108,7 @@ void caseRun::step()
     {
         control_.readIfModified();
         checkStop();
+        checkSpeed();
         logStep();
         bookBalance();
     }
@@ -112,9 +118,41 @@ void caseRun::step()
     flow_.drift(dt, control_.time);
     control_.advance();
 
-    if (control_.writeNow() || atRest_)
+    if (flow_.size() == 0)
+    {
+        bookEmpty();
+    }
+    else if (control_.writeNow() || atRest_)
     {
         write();
+    }
+}
+
+// A time without particles is no time that other programs could read
+void caseRun::bookEmpty()
+{
+    now_ = flow_.energy();
+    booked_ = flow_.ledger();
+    bookedAt_ = control_.time;
+    bookBalance();
+}
+
+// Above the speed that E auto and soundSpeed auto are made for
+void caseRun::checkSpeed()
+{
+    constexpr scalar most = 1.2;
+    const scalar speed = tooFast_ ? 0 : flow_.maxSpeed();
+    if (speed > most * maxSpeed_ && maxSpeed_ > 0)
+    {
+        tooFast_ = true;
+        WarningInFunction
+            << "The largest speed, " << speed << " m/s at time "
+            << control_.time << " s, is above the " << maxSpeed_
+            << " m/s that were expected: what E auto and soundSpeed auto make "
+            << "of it is too soft. If it is not a single particle that falls, "
+            << "write maxSpeed " << speed << "; or more in "
+            << "system/terrainToParticlesDict and run terrainToParticles again"
+            << endl;
     }
 }
 
@@ -280,6 +318,7 @@ void caseRun::write()
     );
     writeState(folder.path(), name);
     folder.commit();
+    lastWritten_ = name;
     control_.purge();
     bookBalance();
     Info << "Written " << name << nl << endl;
@@ -289,6 +328,10 @@ void caseRun::writeState(const fileName& dir, const word& time) const
 {
     dictionary state;
     const std::vector<phaseDynamics*> phases = flow_.phases();
+    if (release_.found("fingerprint"))
+    {
+        state.set("release", release_.get<word>("fingerprint"));
+    }
     setExact(state, "unrestrictedDeltaT", control_.unrestricted);
     setExact(state, "domainMin", phases.front()->domain().min());
     setExact(state, "domainMax", phases.front()->domain().max());
@@ -309,15 +352,32 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     state.write(os, false);
 }
 
+// What shares of energy are shares of. A heap at rest releases next to nothing,
+// of which everything would be much
+scalar caseRun::energyScale(word& name) const
+{
+    constexpr scalar least = 0.01;
+    const scalar released = mag(booked_.released(now_));
+    scalar weight = 0;
+    for (const phaseDynamics* phase : flow_.phases())
+    {
+        weight += mag(scene_.g) * phase->ledger.initialMass.value();
+    }
+    const scalar stored = weight * releaseHeight_;
+    name = released >= least * stored ? "released" : "mgH";
+    return max(released >= least * stored ? released : stored, VSMALL);
+}
+
 void caseRun::printLedger() const
 {
     const balance& b = booked_;
     const scalar released = b.released(now_);
+    word scaleName;
+    const scalar all = energyScale(scaleName);
     const auto line = [&](const char* name, scalar energy)
     {
-        Info << "        " << name << energy << " J ("
-             << (released != 0 ? 100 * energy / mag(released) : 0) << " %)"
-             << nl;
+        Info << "        " << name << energy << " J (" << 100 * energy / all
+             << " %)" << nl;
     };
     Info << nl << "Ledger at " << bookedAt_ << " s" << nl;
     const wordList names(flow_.names());
@@ -332,8 +392,13 @@ void caseRun::printLedger() const
              << (phase.massCloses() ? "closes exactly" : "DOES NOT CLOSE")
              << nl;
     }
-    Info << "    energy      released " << released << " J, of it" << nl
-         << "        kinetic now     " << now_.kinetic << " J" << nl;
+    Info << "    energy      released " << released << " J, of it"
+         << (scaleName == "released"
+                 ? std::string()
+                 : " (% of m g releaseHeight, " + Foam::name(all)
+                       + " J: little was released)")
+                .c_str()
+         << nl << "        kinetic now     " << now_.kinetic << " J" << nl;
     if (flow_.grains)
     {
         line("plastic         ", b.plastic);
@@ -389,7 +454,25 @@ void caseRun::printArtificialShare() const
 
 int caseRun::finish()
 {
-    if (atRest_)
+    if (!stepped_)
+    {
+        const string why = flow_.size() > 0
+                             ? control_.reasonToEnd()
+                             : "there are no particles at time "
+                                   + control_.timeName(control_.time);
+        Info << "Nothing to do: " << why.c_str() << nl << nl << "End" << nl
+             << endl;
+        return 0;
+    }
+    if (flow_.size() == 0)
+    {
+        Info << "All particles have left, the last one before time "
+             << control_.time << " s; the last time folder "
+             << (lastWritten_.empty() ? control_.timeName(control_.startTime())
+                                      : lastWritten_)
+             << " shows those that were there then" << nl;
+    }
+    else if (atRest_)
     {
         Info << "At rest by " << stop_.criterion << " at time " << control_.time
              << " s" << nl;
@@ -400,11 +483,11 @@ int caseRun::finish()
     }
     printLedger();
     printArtificialShare();
-    Info << "Memory " << scalar(flow_.bytes()) / 1048576 << " MiB, "
-         << scalar(flow_.bytes()) / max(flow_.size(), 1)
-         << " bytes a particle; " << flow_.pairPasses() << " pair passes and "
-         << flow_.names().size() << " ground pass"
-         << (flow_.names().size() > 1 ? "es" : "") << " a step" << nl;
+    Info << "Memory " << scalar(mostBytes_) / 1048576 << " MiB, "
+         << scalar(mostBytes_) / max(startSize_, 1) << " bytes a particle; "
+         << flow_.pairPasses() << " pair passes and " << flow_.names().size()
+         << " ground pass" << (flow_.names().size() > 1 ? "es" : "")
+         << " a step" << nl;
 
     if (!massCloses_)
     {

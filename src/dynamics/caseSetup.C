@@ -3,6 +3,7 @@
 
 #include "engineLoader.H"
 #include "inputCheck.H"
+#include "sceneFrame.H"
 #include "uniformTime.H"
 
 #include <omp.h>
@@ -24,36 +25,57 @@ cyclicBox
 readCyclic(const dictionary& dict, const point& origin, const scalar h)
 {
     cyclicBox box;
-    const dictionary* pairs = optionalDictionary(dict, "cyclic");
-    if (!pairs)
+    for (const cyclicPair& pair : readSceneFrame(dict).cyclic)
     {
-        return box;
-    }
-    const dictionary& cyclic = *pairs;
-    allowOnly(cyclic, {"x", "y", "z"});
-    const word axes[3] = {"x", "y", "z"};
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (cyclic.found(axes[d]))
+        const direction d = pair.axis;
+        box.lower[d] = pair.from - origin[d];
+        box.period[d] = pair.to - pair.from;
+        if (box.period[d] < 2 * h)
         {
-            const Pair<scalar> ends = readInterval(cyclic, axes[d]);
-            box.lower[d] = ends.first() - origin[d];
-            box.period[d] = ends.second() - ends.first();
-            if (box.period[d] < 2 * h)
-            {
-                refuse(
-                    cyclic,
-                    axes[d],
-                    "The period of " + Foam::name(box.period[d])
-                        + " m is shorter than the support of the kernel, "
-                        + Foam::name(2 * h)
-                        + " m: a grain would be its own neighbour. Write a "
-                          "longer period or take a smaller spacing"
-                );
-            }
+            refuse(
+                dict.subDict("cyclic"),
+                pair.name(),
+                "The period of " + Foam::name(box.period[d])
+                    + " m is shorter than the support of the kernel, "
+                    + Foam::name(2 * h)
+                    + " m: a grain would be its own neighbour. Write a "
+                      "longer period or take a smaller spacing"
+            );
         }
     }
     return box;
+}
+
+//- FatalIOError where particles stand outside the cyclic planes: they would
+//  jump by a period in the first step, into others
+void checkInside(
+    const pointField& particles,
+    const cyclicBox& box,
+    const scalar spacing,
+    const dictionary& boundary
+)
+{
+    const scalar little = 1e-5 * spacing;
+    for (direction d = 0; d < 3; ++d)
+    {
+        label outside = 0;
+        for (const point& x : particles)
+        {
+            const scalar s = x[d] - box.lower[d];
+            outside += box.period[d] > 0
+                    && (s < -little || s > box.period[d] + little);
+        }
+        if (outside > 0)
+        {
+            refuse(
+                boundary.subDict("cyclic"),
+                d == 0 ? "x" : "y",
+                Foam::name(outside) + " of " + Foam::name(particles.size())
+                    + " particles stand outside these cyclic planes. Run "
+                      "terrainToParticles again, or move the planes"
+            );
+        }
+    }
 }
 
 //- A number that terrainToParticles wrote
@@ -80,17 +102,10 @@ const lpfPairs::pairEngine& engineNamed(const word& instructionSet)
     }
 }
 
-//- A sub-dictionary that must be there
-const dictionary&
-needed(const dictionary& dict, const word& key, const string& remedy)
-{
-    const dictionary* sub = dict.findDict(key);
-    if (!sub)
-    {
-        refuse(dict, key, "There is no dictionary " + key + "; " + remedy);
-    }
-    return *sub;
-}
+const char* const otherRelease =
+    "this time is of a run with other particles than terrainToParticles wrote "
+    "last. Remove the old times (foamListTimes -rm), or write startFrom "
+    "startTime; startTime 0;";
 
 //- Stop with what is wrong with a file of the state
 [[noreturn]] void refuseFile(const fileName& file, const string& message)
@@ -121,7 +136,7 @@ void checkFields(
     };
     need(cloud.labels, {"id", "zone"});
     need(cloud.vectors, {"U"});
-    need(cloud.scalars, {"mass", "alpha"});
+    need(cloud.scalars, {"mass", "alpha", "h"});
     if (phase == "grains")
     {
         need(cloud.symmTensors, {"sigma"});
@@ -161,6 +176,30 @@ void checkFields(
     }
 }
 
+//- FatalIOError where the particles are not those of the present release
+void checkSmoothing(
+    const cloudState& cloud,
+    const fileName& dir,
+    const word& phase,
+    const scalar smoothingLength
+)
+{
+    // a time written as text has six digits
+    constexpr scalar rounding = 1e-5;
+    for (const scalar h : cloud.scalars["h"])
+    {
+        if (mag(h - smoothingLength) > rounding * smoothingLength)
+        {
+            refuseFile(
+                dir / "lagrangian" / phase / "h",
+                "The smoothing length of these particles is " + Foam::name(h)
+                    + " m, that of constant/releaseProperties "
+                    + Foam::name(smoothingLength) + " m: " + otherRelease
+            );
+        }
+    }
+}
+
 //- Particles outside are taken out: what lies over the ground and a headroom
 boundBox domainOf(
     const boundBox& groundBox,
@@ -188,10 +227,14 @@ caseRun::caseRun(const fileName& caseDir)
     : caseDir_(caseDir), control_(caseDir),
       boundary_(readDictionary(caseDir / "constant" / "boundaryProperties")),
       phases_(readDictionary(caseDir / "constant" / "phaseProperties")),
-      release_(readDictionary(caseDir / "constant" / "releaseProperties"))
+      release_(readDictionary(
+          caseDir / "constant" / "releaseProperties",
+          "terrainToParticles writes it: run that first"
+      ))
 {
     const word isa = readSolution();
     readPhases();
+    checkDensities();
     ground_ = ground::read(caseDir);
     readScene();
     makeContact();
@@ -211,7 +254,10 @@ caseRun::caseRun(const fileName& caseDir)
     printSetup(engine);
     readState();
     removeUnfinishedTimes(caseDir);
-    openSeries();
+    if (running())
+    {
+        openSeries();
+    }
     runControl::catchSignals();
     began_ = lastLog_ = wallClock::now();
     lastIndex_ = control_.index;
@@ -230,7 +276,11 @@ void caseRun::readPhases()
             "(grains water);"
         );
     }
-    names_ = phases_.get<wordList>("phases");
+    names_ = readWords(
+        phases_,
+        "phases",
+        "write phases (grains); or (water); or (grains water);"
+    );
     for (const word& name : names_)
     {
         if (!known.found(name))
@@ -265,7 +315,7 @@ void caseRun::readPhases()
     }
     if (has("grains"))
     {
-        const dictionary& grains = needed(
+        const dictionary& grains = neededDictionary(
             phases_,
             "grains",
             "write grains { rho 2600; diameter 0.005; rheology muI; "
@@ -281,7 +331,7 @@ void caseRun::readPhases()
     if (has("water"))
     {
         allowOnly(
-            needed(
+            neededDictionary(
                 phases_,
                 "water",
                 "write water { rho 1000; NewtonianCoeffs { mu 1e-3; } }"
@@ -315,18 +365,62 @@ void caseRun::readScene()
     scene_.cyclic = readCyclic(boundary_, ground_->origin(), scene_.largestH);
     waterScene_.largestH = scene_.largestH;
     waterScene_.cyclic = scene_.cyclic;
+    checkSceneFrame(boundary_, release_);
 
+    releaseHeight_ = prepared(release_, "releaseHeight", dimLength);
+    maxSpeed_ = prepared(release_, "maxSpeed", dimVelocity);
     if (stop_.speed <= 0)
     {
         stop_.speed = 0.1 * sqrt(mag(scene_.g) * scene_.spacing);
     }
-    if (stop_.after <= 0 && mag(scene_.g) > 0)
+    if (stop_.after <= 0)
     {
-        stop_.after =
-            2
-            * sqrt(
-                prepared(release_, "releaseHeight", dimLength) / mag(scene_.g)
+        stop_.after = timeToMove();
+    }
+}
+
+scalar caseRun::timeToMove() const
+{
+    return 2 * sqrt(releaseHeight_ / mag(scene_.g));
+}
+
+// What terrainToParticles made masses and stress with
+void caseRun::checkDensities() const
+{
+    for (const word& name : names_)
+    {
+        const dictionary* made = release_.findDict(name);
+        const dictionary& given = phases_.subDict(name);
+        if (!made || !made->found("rho"))
+        {
+            continue;
+        }
+        bounds any;
+        const scalar before = readNumber(*made, "rho", dimDensity, any);
+        const scalar now = readNumber(given, "rho", dimDensity, any);
+        if (mag(now - before) > 1e-9 * mag(before))
+        {
+            refuse(
+                given,
+                "rho",
+                "rho = " + Foam::name(now)
+                    + " kg/m3, but the particles are made with "
+                    + Foam::name(before)
+                    + " kg/m3: their masses do not fit. Run "
+                      "terrainToParticles again, or take the change back"
             );
+        }
+    }
+}
+
+// At rest behind a gate is no end: not before the last zone has opened and
+// what it held had the time to move
+void caseRun::waitForOpenings()
+{
+    const scalar last = contact_->lastOpening();
+    if (stop_.criterion != "none" && stop_.after <= last)
+    {
+        stop_.after = last + timeToMove();
     }
 }
 
@@ -373,17 +467,18 @@ word caseRun::readSolution()
                   "stable; write 0 to 0.5";
     scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
 
-    bounds count;
-    count.lower = 1;
-    count.reason = "a number of steps";
-    logInterval_ = label(readNumber(dict, "logInterval", dimless, count, 100));
+    logInterval_ =
+        readInteger(dict, "logInterval", 1, labelMax, "a number of steps", 100);
 
     if (const dictionary* water = optionalDictionary(dict, "water"))
     {
         readWaterScheme(*water);
     }
     waterScheme_.CFL = scheme_.CFL;
-    readStop(dict.subOrEmptyDict("stop"));
+    if (const dictionary* stop = optionalDictionary(dict, "stop"))
+    {
+        readStop(*stop);
+    }
     return readChoice(
         dict,
         "instructionSet",
@@ -440,16 +535,17 @@ stiffnessScale caseRun::scale() const
     stiffnessScale s = {};
     if (has("grains"))
     {
-        s.rhoBulk =
-            grainDensity_
-            * prepared(
-                needed(release_, "grains", "run terrainToParticles again"),
-                "solidFraction",
-                dimless
-            );
+        s.rhoBulk = grainDensity_
+                  * prepared(
+                        neededDictionary(
+                            release_, "grains", "run terrainToParticles again"
+                        ),
+                        "solidFraction",
+                        dimless
+                  );
     }
-    s.gH = mag(scene_.g) * prepared(release_, "releaseHeight", dimLength);
-    s.maxSpeed = prepared(release_, "maxSpeed", dimVelocity);
+    s.gH = mag(scene_.g) * releaseHeight_;
+    s.maxSpeed = maxSpeed_;
     return s;
 }
 
@@ -462,24 +558,58 @@ void caseRun::makeContact()
         scene_.dimensions == 2 ? scene_.planeThickness : 0,
         scene_.planeNormal
     ));
+    waitForOpenings();
 }
 
 void caseRun::makeGrains(const lpfPairs::pairEngine& engine)
 {
     const dictionary& phase = phases_.subDict("grains");
     const word coeffs(granularRheology::nameOf(phase) + "Coeffs");
-    const elasticity elastic(
-        needed(
-            phase,
-            coeffs,
-            "write the numbers of the rheology into it, tutorials show how"
-        ),
-        scale()
+    const dictionary& numbers = neededDictionary(
+        phase,
+        coeffs,
+        "write the numbers of the rheology into it, tutorials show how"
     );
+    // terrainToParticles makes the state at the start with it
+    readChoice(numbers, "initialStress", {"geostatic", "zero"}, "geostatic");
+    const elasticity elastic(numbers, scale());
+    checkWaveSpeed(numbers, elastic);
     flow_.rheology.reset(granularRheology::New(phase, elastic).ptr());
     flow_.grains.reset(new grainDynamics(
         engine, scene_, scheme_, *flow_.rheology, *contact_, has("water")
     ));
+}
+
+// Compression of a skeleton that is too soft: 4/C^2 of the modulus under the
+// dynamic pressure of the flow, C the ratio of the speeds
+void caseRun::checkWaveSpeed(const dictionary& coeffs, const elasticity& e)
+    const
+{
+    constexpr scalar good = 5;
+    const scalar speed = max(maxSpeed_ / 2, sqrt(scale().gH));
+    const scalar C = e.c() / speed;
+    if (C >= good * (1 - 1e-9))
+    {
+        return;
+    }
+    const string text =
+        "E = " + Foam::name(e.E()) + " Pa: the wave speed of the grains, "
+        + Foam::name(e.c()) + " m/s, is " + Foam::name(C)
+        + " times the larger of half the expected speed and sqrt(g H), "
+        + Foam::name(speed) + " m/s";
+    const string remedy = "Write E auto; or at least "
+                        + Foam::name(e.E() * sqr(good / C)) + " Pa";
+    if (C < 1)
+    {
+        refuse(
+            coeffs,
+            "E",
+            text + ": the flow would outrun its own pressure. " + remedy
+        );
+    }
+    WarningInFunction << text.c_str()
+                      << ": grains as soft as that are compressed "
+                      << "by their own flow. " << remedy.c_str() << endl;
 }
 
 void caseRun::makeWater(const lpfPairs::pairEngine& engine)
@@ -664,6 +794,23 @@ void caseRun::readWater(const cloudState& cloud)
     }
 }
 
+// The same spacing is not the same release
+void caseRun::checkRelease(const dictionary& state) const
+{
+    const word mine = release_.getOrDefault<word>("fingerprint", word());
+    const word its = state.getOrDefault<word>("release", mine);
+    if (!mine.empty() && its != mine)
+    {
+        refuse(
+            state,
+            "release",
+            "The state has the release " + its
+                + ", constant/releaseProperties has " + mine + ": "
+                + otherRelease
+        );
+    }
+}
+
 void caseRun::readState()
 {
     const fileName dir = control_.path(control_.startTime());
@@ -672,14 +819,20 @@ void caseRun::readState()
         isFile(stateFile) ? readDictionary(stateFile) : dictionary();
     continued_ = !state.empty();
 
+    checkRelease(state);
+
     pointField all;
     for (const word& name : names_)
     {
         const cloudState cloud(readCloud(dir, name));
         checkFields(cloud, dir, name, continued_);
+        checkSmoothing(
+            cloud, dir, name, name == "grains" ? scene_.h : waterScene_.h
+        );
         all.append(cloud.positions);
         name == "grains" ? readGrains(cloud) : readWater(cloud);
     }
+    checkInside(all, scene_.cyclic, scene_.spacing, boundary_);
     if (scene_.dimensions == 2 && all.size() > 0)
     {
         contact_->setPlane(all[0] & scene_.planeNormal);
@@ -709,7 +862,7 @@ void caseRun::readState()
         phase.setDomain(domain);
         if (continued_)
         {
-            phase.ledger.restore(needed(
+            phase.ledger.restore(neededDictionary(
                 state, balanceName(names[k]), "go on from an earlier time"
             ));
         }
@@ -718,6 +871,7 @@ void caseRun::readState()
             phase.ledger.initialMass = phase.mass();
         }
     }
+    startSize_ = flow_.size();
 
     Info << "Start from " << control_.timeName(control_.startTime())
          << (continued_ ? " (continued)" : "") << ":";

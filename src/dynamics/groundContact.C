@@ -60,7 +60,11 @@ groundContact::groundContact(
     readChoice(
         boundaryProperties, "contact", {"signedDistance"}, "signedDistance"
     );
-    readZones(boundaryProperties.subDict("zones"));
+    readZones(neededDictionary(
+        boundaryProperties,
+        "zones",
+        "write zones { <zone> { friction Coulomb; mu 0.5; } }"
+    ));
 }
 
 void groundContact::readZones(const dictionary& zones)
@@ -74,10 +78,12 @@ void groundContact::readZones(const dictionary& zones)
                 << "The ground has a zone " << name
                 << " that has no entry here: its friction is unknown. Write "
                 << name << " { friction Coulomb; mu 0.5; } or friction none;"
-                << " zones of this ground: " << ground_.zones()
+                << " zones of this ground: " << flatOutput(ground_.zones())
                 << exit(FatalIOError);
         }
-        zones_.push_back(readZone(zones.subDict(name)));
+        zones_.push_back(readZone(neededDictionary(
+            zones, name, "write " + name + " { friction Coulomb; mu 0.5; }"
+        )));
     }
 }
 
@@ -92,6 +98,16 @@ scalar groundContact::nextOpening(scalar time) const
         }
     }
     return next;
+}
+
+scalar groundContact::lastOpening() const
+{
+    scalar last = -1;
+    for (const groundZone& z : zones_)
+    {
+        last = z.opensAt < GREAT ? max(last, z.opensAt) : last;
+    }
+    return last;
 }
 
 void groundContact::update(scalar time, const cellLattice& lattice)

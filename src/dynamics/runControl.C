@@ -16,6 +16,9 @@ namespace lpf
 namespace
 {
 
+// No time or step is shorter [s]
+constexpr scalar shortest = 1e-12;
+
 // set by a signal handler, which may do no more
 volatile std::sig_atomic_t signalled = 0;
 
@@ -43,39 +46,30 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
 {
     const fileName file(caseDir / "system" / "controlDict");
     const dictionary dict(readDictionary(file));
-    wordList valid(controlDictKeywords());
-    valid.append("logInterval");
-    allowOnly(dict, valid);
+    if (dict.found("logInterval"))
+    {
+        refuse(
+            dict,
+            "logInterval",
+            "logInterval stands in system/lpfSolution: move it there"
+        );
+    }
+    allowOnly(dict, controlDictKeywords());
+    warnOfUnused(dict);
     stamp_ = Foam::highResLastModified(file);
     readTimes(dict);
-
-    format_.format(IOstream::formatEnum(
-        readChoice(dict, "writeFormat", {"ascii", "binary"}, "binary")
-    ));
-    format_.compression(
-        dict.getOrDefault<Switch>("writeCompression", false)
-            ? IOstreamOption::COMPRESSED
-            : IOstreamOption::UNCOMPRESSED
+    readFormat(dict);
+    timePrecision_ = readInteger(
+        dict, "timePrecision", 1, 17, "a double has at most 17 digits", 6
     );
-    if (format_.format() == IOstream::ASCII)
-    {
-        WarningInFunction
-            << "writeFormat ascii keeps "
-            << dict.getOrDefault<label>("writePrecision", 6)
-            << " digits: a restart will not go on with the same bits. "
-            << "Write binary for that" << endl;
-    }
-
-    bounds precision;
-    precision.lower = 1;
-    precision.upper = 17;
-    precision.reason = "a double has at most 17 digits";
-    timePrecision_ =
-        label(readNumber(dict, "timePrecision", dimless, precision, 6));
-    bounds times;
-    times.lower = 0;
-    times.reason = "the number of times to keep, 0: all";
-    purgeWrite_ = label(readNumber(dict, "purgeWrite", dimless, times, 0));
+    purgeWrite_ = readInteger(
+        dict,
+        "purgeWrite",
+        0,
+        labelMax,
+        "the number of times to keep, 0: all",
+        0
+    );
     modifiable_ = dict.getOrDefault<Switch>("runTimeModifiable", true);
     if (!dict.getOrDefault<Switch>("adjustTimeStep", true))
     {
@@ -88,13 +82,101 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
             "bound"
         );
     }
-    bounds positive;
-    positive.lower = 0;
-    positive.lowerOpen = true;
-    positive.reason = "a time step is positive";
-    maxDeltaT = readNumber(dict, "maxDeltaT", dimTime, positive, GREAT);
-    firstDeltaT_ = readNumber(dict, "deltaT", dimTime, positive, GREAT);
+    bounds step;
+    step.lower = shortest;
+    step.reason = "a time step in s";
+    maxDeltaT = readNumber(dict, "maxDeltaT", dimTime, step, GREAT);
+    firstDeltaT_ = readNumber(dict, "deltaT", dimTime, step, GREAT);
     chooseStart(dict);
+    warnOfTimes();
+}
+
+// Words of OpenFOAM that nothing here follows
+void runControl::warnOfUnused(const dictionary& dict) const
+{
+    wordList unused;
+    for (const word& key :
+         {word("maxCo"),
+          word("functions"),
+          word("libs"),
+          word("timeFormat"),
+          word("graphFormat"),
+          word("beginTime"),
+          word("regionNames"),
+          word("writeVersion"),
+          word("printExecutionFormat")})
+    {
+        const bool asEver = key == "timeFormat" && dict.found(key)
+                         && dict.lookup(key).size() == 1
+                         && dict.lookup(key)[0].isWord()
+                         && dict.lookup(key)[0].wordToken() == "general";
+        if (dict.found(key) && !asEver)
+        {
+            unused.append(key);
+        }
+    }
+    for (const word& key : unused)
+    {
+        WarningInFunction
+            << "lpfSolver does not use " << key << " of system/controlDict"
+            << (key == "maxCo" ? ": the step follows CFL of system/lpfSolution"
+                : key == "functions" || key == "libs"
+                    ? ": depositionSample and lpfToVTK evaluate the times that "
+                      "are written"
+                    : "")
+            << endl;
+    }
+}
+
+void runControl::warnOfTimes() const
+{
+    constexpr scalar many = 1e5;
+    const scalar times = (endTime_ - startTime_) / writeInterval_;
+    if (writeControl_ == "timeStep" || startTime_ >= endTime_)
+    {
+        return;
+    }
+    if (times > many && purgeWrite_ <= 0)
+    {
+        WarningInFunction
+            << "writeInterval " << writeInterval_ << " s to endTime "
+            << endTime_ << " s will write " << times
+            << " time folders: is that meant? Write a longer writeInterval, or "
+            << "purgeWrite with the number of times to keep" << endl;
+    }
+    if (mag(times - round(times)) > 1e-6 && times < many)
+    {
+        Info << "endTime " << endTime_ << " s is no multiple of writeInterval "
+             << writeInterval_ << " s: the last step is cut to end there, so "
+             << "that a run that goes on from it differs in rounding from one "
+             << "in a whole" << nl;
+    }
+}
+
+void runControl::readFormat(const dictionary& dict)
+{
+    format_.format(IOstream::formatEnum(
+        readChoice(dict, "writeFormat", {"ascii", "binary"}, "binary")
+    ));
+    format_.compression(
+        dict.getOrDefault<Switch>("writeCompression", false)
+            ? IOstreamOption::COMPRESSED
+            : IOstreamOption::UNCOMPRESSED
+    );
+    const label digits = readInteger(
+        dict, "writePrecision", 1, 17, "a double has at most 17 digits", 6
+    );
+    if (format_.format() == IOstream::ASCII)
+    {
+        IOstream::defaultPrecision(unsigned(digits));
+    }
+    if (format_.format() == IOstream::ASCII && digits < 17)
+    {
+        WarningInFunction
+            << "writeFormat ascii keeps " << digits
+            << " digits: a restart will not go on with the same bits. "
+            << "Write binary for that" << endl;
+    }
 }
 
 void runControl::readTimes(const dictionary& dict)
@@ -114,12 +196,22 @@ void runControl::readTimes(const dictionary& dict)
     writeControl_ = readChoice(
         dict, "writeControl", {"adjustableRunTime", "runTime", "timeStep"}
     );
-    writeInterval_ = readNumber(
-        dict,
-        "writeInterval",
-        writeControl_ == "timeStep" ? dimless : dimTime,
-        positive
-    );
+    if (writeControl_ == "timeStep" && dict.found("writeInterval"))
+    {
+        writeInterval_ = readInteger(
+            dict,
+            "writeInterval",
+            1,
+            labelMax,
+            "with writeControl timeStep it is a number of steps; write "
+            "adjustableRunTime for an interval in s",
+            1
+        );
+        return;
+    }
+    positive.lower = shortest;
+    positive.lowerOpen = false;
+    writeInterval_ = readNumber(dict, "writeInterval", dimTime, positive);
 }
 
 void runControl::chooseStart(const dictionary& dict)
@@ -195,6 +287,17 @@ bool runControl::running() const
         return false;
     }
     return time < endTime_;
+}
+
+string runControl::reasonToEnd() const
+{
+    const string now = "time " + timeName(time);
+    if (time >= endTime_)
+    {
+        return now + " is at endTime; write a larger endTime to go on";
+    }
+    return "stopAt " + stopAt_ + " stands in system/controlDict at " + now
+         + "; write stopAt endTime; to go on";
 }
 
 void runControl::readIfModified()

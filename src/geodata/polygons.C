@@ -488,9 +488,15 @@ void writeFeatures(
             reference.SetFromUserInput(crs.c_str());
             reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         }
+        else
+        {
+            // the name by which a GeoPackage knows metres without a place,
+            // srs_id -1; without it they would count as degrees, srs_id 0
+            reference.SetLocalCS("Undefined Cartesian SRS");
+        }
         OGRLayer* layer = out->CreateLayer(
             file.nameLessExt().c_str(),
-            crs.empty() ? nullptr : &reference,
+            crs.empty() && file.ext() != "gpkg" ? nullptr : &reference,
             type == featureType::lines ? wkbMultiLineString : wkbMultiPolygon,
             nullptr
         );

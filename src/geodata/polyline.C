@@ -3,6 +3,7 @@
 #include "crs.H"
 #include "gdalScope.H"
 
+#include <cstring>
 #include <memory>
 #include <ogrsf_frmts.h>
 
@@ -58,8 +59,10 @@ void collect(const OGRGeometry& shape, DynamicList<List<point2D>>& into)
 string wktOf(OGRLayer& layer)
 {
     const OGRSpatialReference* crs = layer.GetSpatialRef();
+    const char* name = crs ? crs->GetName() : nullptr;
     char* wkt = nullptr;
-    if (crs)
+    // GeoPackage names it when there is none
+    if (name && std::strncmp(name, "Undefined", 9) != 0)
     {
         crs->exportToWkt(&wkt);
     }

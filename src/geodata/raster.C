@@ -371,11 +371,20 @@ bool writeValues(GDALRasterBand& band, const raster& data)
 
 
 void writeRaster(
-    const fileName& file, const raster& data, const rasterType type
+    const fileName& file,
+    const raster& data,
+    const rasterType type,
+    const string& name,
+    const string& unit
 )
 {
     const gdalScope scope;
     const datasetPtr out = createRaster(file, data, type);
+    if (out)
+    {
+        out->GetRasterBand(1)->SetDescription(name.c_str());
+        out->GetRasterBand(1)->SetUnitType(unit.c_str());
+    }
     const bool good = out && writeValues(*out->GetRasterBand(1), data);
     if (good)
     {

@@ -61,7 +61,7 @@ void readLattice(
     const dictionary& dict, const point& localOrigin, lattice& grid
 )
 {
-    const dictionary* own = dict.findDict("lattice");
+    const dictionary* own = optionalDictionary(dict, "lattice");
     if (!own)
     {
         return;

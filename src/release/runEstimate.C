@@ -4,6 +4,7 @@
 #include "engineLoader.H"
 
 #include <omp.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -113,19 +114,35 @@ struct probe
 } // namespace
 
 
+scalar memoryOf(const scalar grains, const scalar water)
+{
+    return grains * bytesPerGrain + water * bytesPerWater;
+}
+
+
+scalar machineMemory()
+{
+    const scalar pages = scalar(sysconf(_SC_PHYS_PAGES));
+    const scalar size = scalar(sysconf(_SC_PAGESIZE));
+    return pages > 0 && size > 0 ? pages * size : GREAT;
+}
+
+
 runEstimate estimateRun(const runSize& size)
 {
     runEstimate run;
-    run.maxSpeed =
-        size.maxSpeed > 0
-            ? size.maxSpeed
-            : Foam::sqrt(2 * size.g * max(size.drop, size.releaseHeight));
+    run.maxSpeed = size.maxSpeed > 0
+                     ? size.maxSpeed
+                     : Foam::sqrt(
+                         sqr(size.velocity)
+                         + 2 * size.g * max(size.drop, size.releaseHeight)
+                     );
     run.waveSpeed =
         speedRatio
         * max(run.maxSpeed / 2, Foam::sqrt(size.g * size.releaseHeight));
     run.timeStep = courant * size.smoothingLength / run.waveSpeed;
     run.steps = size.endTime / run.timeStep;
-    run.memory = size.grains * bytesPerGrain + size.water * bytesPerWater;
+    run.memory = memoryOf(size.grains, size.water);
     return run;
 }
 

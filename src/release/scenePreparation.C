@@ -32,7 +32,8 @@ scenePreparation::scenePreparation(
 )
     : caseDir_(caseDir), dict_(readDictionary(dictFile)),
       g_(readGravity(caseDir)),
-      boundaries_(readDictionary(caseDir / "constant" / "boundaryProperties"))
+      boundaries_(readDictionary(caseDir / "constant" / "boundaryProperties")),
+      frame_(readSceneFrame(boundaries_))
 {
     allowOnly(
         dict_,
@@ -44,14 +45,7 @@ scenePreparation::scenePreparation(
          "ground",
          "release"}
     );
-    if (!(mag(g_) > 0))
-    {
-        FatalErrorInFunction
-            << "constant/g is zero: nothing would move, and there is no"
-            << " upwards for the releases." << exit(FatalError);
-    }
     readPhases();
-    readBoundaries();
     readEndTime();
     readReleases();
     makeGround();
@@ -72,12 +66,21 @@ void scenePreparation::readGrains(const dictionary& grains)
         {0, GREAT, true, false, "density of the grain, e.g. 2600 kg/m3"}
     );
     const word rheology = grains.get<word>("rheology");
-    const dictionary& coeffs = grains.subDict(rheology + "Coeffs");
+    const dictionary& coeffs = neededDictionary(
+        grains,
+        rheology + "Coeffs",
+        "write " + rheology + "Coeffs { ... }; tutorials show its numbers"
+    );
     const scalar nu = readNumber(
         coeffs,
         "nu",
         dimless,
-        {0, 0.5, false, true, "Poisson's ratio of an elastic body"}
+        {0,
+         0.49,
+         false,
+         false,
+         "Poisson's ratio of a granular skeleton lies between 0 and 0.49;"
+         " write 0.2 to 0.4"}
     );
     material_.K0 = readNumber(
         coeffs,
@@ -103,50 +106,15 @@ void scenePreparation::readGrains(const dictionary& grains)
 }
 
 
-void scenePreparation::readBoundaries()
-{
-    if (const dictionary* plane =
-            optionalDictionary(boundaries_, "planeStrain"))
-    {
-        allowOnly(*plane, {"normal", "thickness"});
-        planeNormal_ = readVector(*plane, "normal", dimless);
-        planeNormal_ /= max(mag(planeNormal_), VSMALL);
-        planeThickness_ = readNumber(
-            *plane,
-            "thickness",
-            dimLength,
-            {0,
-             GREAT,
-             true,
-             false,
-             "masses and forces are those of a slice that thick, e.g. 1 m"}
-        );
-    }
-    const dictionary* pairs = optionalDictionary(boundaries_, "cyclic");
-    if (!pairs)
-    {
-        return;
-    }
-    allowOnly(*pairs, {"x", "y"});
-    for (const word& key : {word("x"), word("y")})
-    {
-        if (pairs->found(key))
-        {
-            const Pair<scalar> ends = readInterval(*pairs, key);
-            cyclic_.append(
-                {direction(key == "x" ? 0 : 1), ends.first(), ends.second()}
-            );
-        }
-    }
-}
-
-
 void scenePreparation::readEndTime()
 {
     const fileName file = caseDir_ / "system" / "controlDict";
     if (isFile(file))
     {
-        endTime_ = readDictionary(file).getOrDefault<scalar>("endTime", 0);
+        bounds any;
+        any.lower = 0;
+        any.reason = "a run needs an end above zero, in s";
+        endTime_ = readNumber(readDictionary(file), "endTime", dimTime, any, 0);
     }
 }
 
@@ -154,7 +122,9 @@ void scenePreparation::readEndTime()
 void scenePreparation::readReleases()
 {
     Info << "Reading releases" << nl;
-    const dictionary& releases = dict_.subDict("release");
+    const dictionary& releases = neededDictionary(
+        dict_, "release", "write release { type box; ... grains { ... } }"
+    );
     const bool single = releases.found("type");
     const dictionary& where =
         single && releases.found("spacing") ? releases : dict_;
@@ -288,7 +258,12 @@ void scenePreparation::makeGround()
     {
         plan.add(regions_[i].plan());
     }
-    pieces_ = readGround(dict_.subDict("ground"), {caseDir_, plan});
+    pieces_ = readGround(
+        neededDictionary(
+            dict_, "ground", "write ground { type raster; file \"...\"; }"
+        ),
+        {caseDir_, plan}
+    );
     lowerGround();
     checkCells();
     ground_ = pieces_.build(chooseOrigin());
@@ -373,10 +348,36 @@ void scenePreparation::checkPeriod(const cyclicPair& pair, const scalar spacing)
 
 void scenePreparation::checkCyclic() const
 {
-    for (const cyclicPair& pair : cyclic_)
+    for (const cyclicPair& pair : frame_.cyclic)
     {
         checkPeriod(pair, grid_.spacing);
         checkPeriod(pair, waterSpacing_);
+        checkGroundBeyond(pair);
+    }
+}
+
+
+// Particles at one plane see the ground on both sides of it
+void scenePreparation::checkGroundBeyond(const cyclicPair& pair) const
+{
+    const scalar reach = 2 * smoothingRatio * max(grid_.spacing, waterSpacing_);
+    const scalar little = typed * grid_.spacing;
+    const scalar origin = ground_->origin()[pair.axis];
+    const scalar from = ground_->bounds().min()[pair.axis] + origin;
+    const scalar to = ground_->bounds().max()[pair.axis] + origin;
+    if (from > pair.from - reach + little || to < pair.to + reach - little)
+    {
+        refuse(
+            boundaries_.subDict("cyclic"),
+            pair.name(),
+            "The ground goes from " + pair.name() + " = " + Foam::name(from)
+                + " to " + Foam::name(to)
+                + " m. It must reach beyond the cyclic planes by twice the"
+                  " smoothing length, "
+                + Foam::name(reach)
+                + " m, or particles there would see its end. Enlarge the"
+                  " ground"
+        );
     }
 }
 
@@ -390,7 +391,7 @@ void scenePreparation::keepInCyclicBox(DynamicList<seed>& seeds) const
     {
         const point x = seeds[i].x + ground_->origin();
         bool inside = true;
-        for (const cyclicPair& pair : cyclic_)
+        for (const cyclicPair& pair : frame_.cyclic)
         {
             const scalar s = x[pair.axis];
             inside = inside && s >= pair.from - little && s < pair.to - little;
@@ -408,8 +409,8 @@ void scenePreparation::checkSize(const label i) const
 {
     const vector span = regions_[i].plan().span();
     const scalar columns =
-        (planeThickness_ > 0 ? max(span.x(), span.y()) * grid_.spacing
-                             : span.x() * span.y())
+        (frame_.planeThickness > 0 ? max(span.x(), span.y()) * grid_.spacing
+                                   : span.x() * span.y())
         / sqr(min(grid_.spacing, waterSpacing_));
     if (columns > mostColumns)
     {
@@ -430,7 +431,7 @@ void scenePreparation::warnBeyond(const boundBox& box) const
     for (const point& x : all)
     {
         beyond += x.x() < box.min().x() || x.x() > box.max().x()
-               || (planeThickness_ <= 0
+               || (frame_.planeThickness <= 0
                    && (x.y() < box.min().y() || x.y() > box.max().y()));
     }
     if (beyond > 0)

@@ -3,6 +3,11 @@
 #include "inputCheck.H"
 #include "waterContent.H"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
 namespace Foam
 {
 namespace lpf
@@ -44,7 +49,7 @@ void scenePreparation::readPhases()
     {
         refuse(dict, "phases", valid);
     }
-    const auto given = dict.get<wordList>("phases");
+    const wordList given(readWords(dict, "phases", valid));
     for (const word& phase : {word("grains"), word("water")})
     {
         if (given.found(phase))
@@ -202,11 +207,11 @@ void scenePreparation::layOut()
         own.origin = Zero;
         readLattice(dict_, ground_->origin(), own);
         readLattice(*regionDicts_[i], ground_->origin(), own);
-        if (planeThickness_ > 0)
+        if (frame_.planeThickness > 0)
         {
             makePlaneStrain(
-                planeNormal_,
-                planeThickness_,
+                frame_.planeNormal,
+                frame_.planeThickness,
                 boundaries_.subDict("planeStrain"),
                 own
             );
@@ -225,12 +230,17 @@ void scenePreparation::fillReleases()
     forAll (regions_, i)
     {
         checkSize(i);
+    }
+    checkMemory();
+    forAll (regions_, i)
+    {
         regions_[i].place(scenes_[i]);
         if (regionDicts_[i]->found("grains"))
         {
             bodies_.append(fillGrains(i));
         }
     }
+    checkApart();
     // beds first: free water gives way to them
     for (releaseBody& bed : bodies_)
     {
@@ -254,7 +264,8 @@ releaseBody scenePreparation::fillGrains(const label i)
 {
     const dictionary& dict = *regionDicts_[i];
     const releaseScene& scene = scenes_[i];
-    const dictionary& grains = dict.subDict("grains");
+    const dictionary& grains =
+        neededDictionary(dict, "grains", "write grains { solidFraction 0.6; }");
     allowOnly(grains, {"solidFraction", "mass"});
     releaseBody body;
     body.name = names_[i];
@@ -272,8 +283,9 @@ releaseBody scenePreparation::fillGrains(const label i)
     );
     body.K0 = material_.K0;
     body.velocity = velocityOf(i);
-    body.volume = regions_[i].volume();
-    body.seeds = seedsOf(regions_[i]);
+    scalar share = 1;
+    body.seeds = seedsOf(regions_[i], share);
+    body.volume = share * regions_[i].volume();
     body.latticeVolume = body.seeds.size() * scene.grid.particleVolume();
     if (body.seeds.empty())
     {
@@ -284,6 +296,23 @@ releaseBody scenePreparation::fillGrains(const label i)
             << "Is it on the free side of the ground (normals), and is the"
             << " spacing of " << grid_.spacing << " m smaller than it?"
             << exit(FatalIOError);
+    }
+    if (share < 1)
+    {
+        if (grains.found("mass"))
+        {
+            refuse(
+                grains,
+                "mass",
+                "The cyclic planes cut " + Foam::name(100 * (1 - share))
+                    + " % off release " + body.name
+                    + ": which share of this mass lies between them? Let the"
+                      " release end at the planes, or leave mass out: it is"
+                      " then density x solidFraction x the volume between them"
+            );
+        }
+        Info << "Release " << body.name << ": the cyclic planes cut "
+             << 100 * (1 - share) << " % of its volume off" << nl << nl;
     }
     body.mass = readNumber(
         grains,
@@ -304,11 +333,14 @@ vector scenePreparation::velocityOf(const label i) const
 }
 
 
-List<seed> scenePreparation::seedsOf(const releaseRegion& region) const
+List<seed>
+scenePreparation::seedsOf(const releaseRegion& region, scalar& share) const
 {
     DynamicList<seed> seeds;
     region.fill(seeds);
+    const scalar all = seeds.size();
     keepInCyclicBox(seeds);
+    share = all > 0 ? seeds.size() / all : 1;
     return List<seed>(std::move(seeds));
 }
 
@@ -318,10 +350,23 @@ waterBody scenePreparation::waterOf(const label i, const releaseRegion& region)
     waterBody body;
     body.release = i;
     body.region = &region;
-    body.room = region.volume();
     body.velocity = velocityOf(i);
     body.axes = waterScenes_[i].grid.axes;
-    body.seeds = seedsOf(region);
+    scalar share = 1;
+    body.seeds = seedsOf(region, share);
+    body.room = share * region.volume();
+    const dictionary& water = regionDicts_[i]->subDict("water");
+    if (share < 1 && water.found("mass"))
+    {
+        refuse(
+            water,
+            "mass",
+            "The cyclic planes cut " + Foam::name(100 * (1 - share))
+                + " % off the water of release " + names_[i]
+                + ": which share of this mass lies between them? Let the"
+                  " release end at the planes, or give the water by volume"
+        );
+    }
     body.latticeVolume =
         body.seeds.size() * waterScenes_[i].grid.particleVolume();
     return body;
@@ -371,14 +416,17 @@ void scenePreparation::fillPores(releaseBody& bed)
     waters_.append(std::move(body));
     if (content.excess > 0)
     {
-        fillLayer(i, content.excess);
+        fillLayer(i, content.excess, bed.volume / regions_[i].volume());
     }
 }
 
 
-void scenePreparation::fillLayer(const label i, const scalar mass)
+void scenePreparation::fillLayer(
+    const label i, const scalar mass, const scalar share
+)
 {
-    layers_.append(regions_[i].above(mass / waterDensity_).ptr());
+    // over the whole bed; what the cyclic planes cut off goes with its share
+    layers_.append(regions_[i].above(mass / waterDensity_ / share).ptr());
     waterBody layer = waterOf(i, layers_.last());
     checkHasWater(layer);
     layer.mass = mass;
@@ -447,6 +495,169 @@ void scenePreparation::leaveOut(waterBody& body) const
     body.room *= kept.size() / n;
     body.latticeVolume *= kept.size() / n;
     body.seeds.transfer(kept);
+}
+
+
+namespace
+{
+
+using cellKey = std::array<label, 3>;
+
+cellKey cellOf(const point& x, const scalar side)
+{
+    return {
+        label(std::floor(x.x() / side)),
+        label(std::floor(x.y() / side)),
+        label(std::floor(x.z() / side))};
+}
+
+//- Seeds of `others` with one of `body` nearer than a distance
+label countNear(
+    const releaseBody& body, const releaseBody& others, const scalar distance
+)
+{
+    using placed = std::pair<cellKey, label>;
+    std::vector<placed> cells;
+    cells.reserve(std::size_t(body.seeds.size()));
+    forAll (body.seeds, i)
+    {
+        cells.push_back({cellOf(body.seeds[i].x, distance), i});
+    }
+    std::sort(cells.begin(), cells.end());
+    const auto anyNear = [&](const point& x)
+    {
+        const cellKey at = cellOf(x, distance);
+        for (label k = 0; k < 9; ++k)
+        {
+            // three cells along z follow each other
+            const cellKey first = {
+                at[0] + k % 3 - 1, at[1] + k / 3 - 1, at[2] - 1};
+            const cellKey last = {first[0], first[1], at[2] + 2};
+            for (auto c = std::lower_bound(
+                     cells.begin(), cells.end(), placed(first, -1)
+                 );
+                 c != cells.end() && c->first < last;
+                 ++c)
+            {
+                if (magSqr(body.seeds[c->second].x - x) < sqr(distance))
+                {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    boundBox box(boundBox::invertedBox);
+    for (const seed& s : body.seeds)
+    {
+        box.add(s.x);
+    }
+    label near = 0;
+    for (const seed& s : others.seeds)
+    {
+        near += box.overlaps(s.x, sqr(distance)) && anyNear(s.x);
+    }
+    return near;
+}
+
+} // namespace
+
+
+// Grains in the same place twice: their mass would be doubled, and the first
+// step throw them apart
+void scenePreparation::checkApart() const
+{
+    const scalar least = 0.5 * grid_.spacing;
+    forAll (bodies_, a)
+    {
+        for (label b = a + 1; b < bodies_.size(); ++b)
+        {
+            const label near = countNear(bodies_[a], bodies_[b], least);
+            if (near > 0)
+            {
+                FatalIOErrorInFunction(*regionDicts_[bodies_[b].release])
+                    << "Releases " << bodies_[a].name << " and "
+                    << bodies_[b].name << " overlap: " << near
+                    << " particles of " << bodies_[b].name
+                    << " stand nearer than half a spacing, " << least
+                    << " m, to one of " << bodies_[a].name
+                    << ". The mass there would be counted twice." << nl
+                    << "Move them apart, cut one of them, or give releases"
+                    << " that touch the same lattice." << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+// With coarse columns, for those of a spacing much too fine would take hours
+scalar scenePreparation::roughVolume(const label i) const
+{
+    constexpr scalar columns = 1e4;
+    const vector span = regions_[i].plan().span();
+    const scalar coarse = sqrt(span.x() * span.y() / columns);
+    const scalar box = span.x() * span.y();
+    if (coarse <= grid_.spacing || frame_.isPlane() || !(box > 0))
+    {
+        return 0;
+    }
+    lattice own(scenes_[i].grid);
+    own.spacing = coarse;
+    const releaseScene rough{*ground_, own, scenes_[i].up};
+    autoPtr<releaseRegion> probe =
+        releaseRegion::New(*regionDicts_[i], {caseDir_, own.axes});
+    probe->place(rough);
+    return probe->volume();
+}
+
+
+void scenePreparation::checkMemory() const
+{
+    scalar grains = 0, water = 0;
+    forAll (regions_, i)
+    {
+        const scalar volume = roughVolume(i);
+        if (regionDicts_[i]->found("grains"))
+        {
+            grains += volume / scenes_[i].grid.particleVolume();
+        }
+        if (hasWater(i))
+        {
+            water += volume / waterScenes_[i].grid.particleVolume();
+        }
+    }
+    refuseMemory(grains, water);
+}
+
+
+void scenePreparation::refuseMemory(const scalar grains, const scalar water)
+    const
+{
+    constexpr scalar share = 0.8, GiB = 1073741824;
+    if (!(max(grains, water) > 0))
+    {
+        return;
+    }
+    const scalar need = memoryOf(grains, water), have = machineMemory();
+    const scalar most = min(share * have / need, labelMax / max(grains, water));
+    if (most < 1)
+    {
+        const dictionary& where =
+            dict_.found("spacing") ? dict_ : dict_.subDict("release");
+        // two digits, rounded up
+        const scalar fits = grid_.spacing * std::cbrt(1 / most);
+        const scalar digit = std::pow(10, std::floor(std::log10(fits)) - 1);
+        refuse(
+            where,
+            "spacing",
+            "A spacing of " + Foam::name(grid_.spacing) + " m gives "
+                + Foam::name(grains + water) + " particles, which need "
+                + Foam::name(need / GiB) + " GiB; this machine has "
+                + Foam::name(have / GiB) + " GiB. Write spacing "
+                + Foam::name(digit * std::ceil(fits / digit))
+                + "; or more, if the spacing is meant in metres"
+        );
+    }
 }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenePreparation.H"
+#include "inputCheck.H"
 #include "OSspecific.H"
 
 #include <algorithm>
@@ -217,7 +218,18 @@ scalar scenePreparation::drop() const
 
 runEstimate scenePreparation::estimate() const
 {
-    const scalar given = dict_.getOrDefault<scalar>("maxSpeed", 0);
+    const scalar given = readNumber(
+        dict_,
+        "maxSpeed",
+        dimVelocity,
+        {0,
+         GREAT,
+         true,
+         false,
+         "it sets the stiffness of the grains; leave it out for free fall over"
+         " the relief"},
+        0
+    );
     return estimateRun(
         {grains_.size(),
          water_.size(),
@@ -226,8 +238,24 @@ runEstimate scenePreparation::estimate() const
          drop(),
          mag(g_),
          endTime_,
+         largestVelocity(),
          given}
     );
+}
+
+
+scalar scenePreparation::largestVelocity() const
+{
+    scalar largest = 0;
+    for (const releaseBody& body : bodies_)
+    {
+        largest = max(largest, mag(body.velocity));
+    }
+    for (const waterBody& body : waters_)
+    {
+        largest = max(largest, mag(body.velocity));
+    }
+    return largest;
 }
 
 
@@ -269,7 +297,9 @@ void scenePreparation::report() const
     Info << "    memory          " << run.memory / 1048576 << " MiB" << nl
          << "    largest speed   " << run.maxSpeed
          << (dict_.found("maxSpeed") ? " m/s, given"
-                                     : " m/s, free fall over the relief")
+             : largestVelocity() > 0
+                 ? " m/s, free fall over the relief from the velocity given"
+                 : " m/s, free fall over the relief")
          << nl << "    wave speed      " << run.waveSpeed << " m/s" << nl
          << "    time step       " << run.timeStep << " s" << nl;
     if (endTime_ > 0)
@@ -286,6 +316,15 @@ void scenePreparation::report() const
              << " particle-steps/s, measured now on this machine" << nl;
     }
     Info << nl;
+    if (run.maxSpeed < largestVelocity())
+    {
+        WarningInFunction << "maxSpeed " << run.maxSpeed
+                          << " m/s is below the velocity of a"
+                          << " release, " << largestVelocity()
+                          << " m/s: the stiffness that"
+                          << " follows from it is too low. Write at least that."
+                          << endl;
+    }
     warnOfOldTimes();
 }
 

@@ -2,6 +2,7 @@
 #include "scenePreparation.H"
 #include "foamFile.H"
 #include "OSspecific.H"
+#include "SHA1.H"
 
 #include <limits>
 
@@ -72,6 +73,7 @@ void scenePreparation::writePhases(Ostream& os) const
         os.writeEntry("mass", mass);
         os.writeEntry("volume", volume);
         os.writeEntry("solidFraction", solid / volume);
+        os.writeEntry("rho", material_.rho);
         os.endBlock();
     }
     if (has("water"))
@@ -85,8 +87,32 @@ void scenePreparation::writePhases(Ostream& os) const
         os.writeEntry("count", water_.size());
         os.writeEntry("mass", mass);
         os.writeEntry("volume", mass / waterDensity_);
+        os.writeEntry("rho", waterDensity_);
         os.endBlock();
     }
+}
+
+
+// By which lpfSolver knows whether a time is of these particles
+word scenePreparation::fingerprint() const
+{
+    SHA1 sum;
+    const auto add = [&](const auto& field) {
+        sum.append(
+            reinterpret_cast<const char*>(field.cdata()), field.byteSize()
+        );
+    };
+    for (const cloudState* cloud : {&grains_, &water_})
+    {
+        if (cloud->size())
+        {
+            add(cloud->positions);
+            add(cloud->scalars["mass"]);
+            add(cloud->vectors["U"]);
+        }
+    }
+    // a letter first: digits would be read as a number
+    return word("r" + sum.str().substr(0, 16));
 }
 
 
@@ -106,15 +132,27 @@ void scenePreparation::writeReleaseProperties(const fileName& file) const
         os.writeEntry("waterSpacing", waterSpacing_);
         os.writeEntry("waterSmoothingLength", smoothingRatio * waterSpacing_);
     }
-    os.writeEntry("dimensions", planeThickness_ > 0 ? 2 : 3);
-    if (planeThickness_ > 0)
+    os.writeEntry("dimensions", frame_.planeThickness > 0 ? 2 : 3);
+    if (frame_.planeThickness > 0)
     {
-        os.writeEntry("planeNormal", planeNormal_);
-        os.writeEntry("planeThickness", planeThickness_);
+        os.writeEntry("planeNormal", frame_.planeNormal);
+        os.writeEntry("planeThickness", frame_.planeThickness);
+    }
+    if (frame_.cyclic.size())
+    {
+        os.beginBlock("cyclic");
+        for (const cyclicPair& pair : frame_.cyclic)
+        {
+            os.writeKeyword(pair.name())
+                << token::BEGIN_LIST << pair.from << token::SPACE << pair.to
+                << token::END_LIST << token::END_STATEMENT << nl;
+        }
+        os.endBlock();
     }
     os.writeEntry("releaseHeight", releaseHeight_);
     os.writeEntry("maxSpeed", estimate().maxSpeed);
     os.writeEntry("zones", names_);
+    os.writeEntry("fingerprint", fingerprint());
     writePhases(os);
     out.close();
 }

@@ -178,6 +178,56 @@ TEST_CASE("readNumber: sub-dictionaries keep the path, includes their own")
 }
 
 
+TEST_CASE("readInteger: whole numbers in their range")
+{
+    const auto read = [](const std::string& text)
+    {
+        return inputFileTest(text).error(
+            [](const dictionary& dict)
+            { readInteger(dict, "n", 1, 9, "a count", 3); }
+        );
+    };
+    const auto value = [](const std::string& text)
+    {
+        return readInteger(
+            readDictionary(inputFileTest(text).file), "n", 1, 9, "a count", 3
+        );
+    };
+    CHECK(value("") == 3);
+    CHECK(value("n 9;") == 9);
+    CHECK(value("n 2.0;") == 2);
+    const std::string rule(
+        " must be a whole number from 1 to 9: a count|phaseProperties:1"
+    );
+    CHECK(read("n 1.7;") == "n = 1.7" + rule);
+    CHECK(read("n 0;") == "n = 0" + rule);
+    CHECK(read("n 10;") == "n = 10" + rule);
+    CHECK(
+        read("n many;")
+        == "n = many is not a whole number from 1 to 9: a count"
+           "|phaseProperties:1"
+    );
+}
+
+
+TEST_CASE("numbers that are too large")
+{
+    CHECK(
+        numberError("muS 1e16;", dimless)
+        == "muS = 1e+16 is beyond 1e15, larger than anything of a scene in SI "
+           "units: it must be a finite number; write 'muS <number>;'"
+           "|phaseProperties:1"
+    );
+    CHECK(
+        numberError("\nmuS -1e400;", dimless)
+        == "-1e400 is too large for a number: nothing of a scene is as large "
+           "in SI units|phaseProperties:2"
+    );
+    CHECK(numberError("muS 0.5; // 1e400\n", dimless) == "");
+    CHECK(numberError("muS #eval{ 1/0 };", dimless) != "");
+}
+
+
 TEST_CASE("nearestWord: misspelt names, but not other short ones")
 {
     CHECK(nearestWord("coulmb", {"Coulomb", "muI"}) == "Coulomb");

@@ -261,13 +261,66 @@ TEST_CASE("a cyclic pair is a whole number of spacings", "[release]")
     const scene s(
         "spacing 0.1; origin (0 0 0);" + floorPart
         + "release { type box; corner (-1 -1 0); edges ((3 0 0)"
-          " (0 3 0) (0 0 0.5)); grains { solidFraction 0.6;"
-          " mass 100; } }"
+          " (0 3 0) (0 0 0.5)); grains { solidFraction 0.6; } }"
     );
     s.write("constant/boundaryProperties", "cyclic { x (0 1.04); }");
     CHECK(contains(s.error(), "whole number of them"));
     s.write("constant/boundaryProperties", "cyclic { x (0 1); y (0.5 1.5); }");
     CHECK(s.cloud().size() == 10 * 10 * 5);
+}
+
+TEST_CASE("cyclic planes cut volume and mass of a release", "[release]")
+{
+    const std::string before = "spacing 0.1; origin (0 0 0);" + floorPart
+                             + "release { type box; corner (-1 0 0); edges ((3 "
+                               "0 0) (0 1 0) (0 0 0.5)); grains { "
+                               "solidFraction 0.6; ";
+    const scene s(before + "} }");
+    s.write("constant/boundaryProperties", "cyclic { x (0 1); }");
+    CHECK(
+        sum(s.cloud().scalars["mass"])
+        == Approx(2500 * 0.6 * 0.5).epsilon(1e-12)
+    );
+    const dictionary cyclic(s.properties().subDict("cyclic"));
+    CHECK(readInterval(cyclic, "x") == Pair<scalar>(0, 1));
+
+    const scene given(before + "mass 100; } }");
+    given.write("constant/boundaryProperties", "cyclic { x (0 1); }");
+    CHECK(contains(given.error(), "66.6667 % off release"));
+
+    // 0.2 m of water on top of the pores, between the planes as elsewhere
+    const scene wet(
+        before + "} water { mass 2100; excess onTop; } }", "grains water"
+    );
+    wet.write("constant/boundaryProperties", "cyclic { x (0 1); }");
+    CHECK(contains(wet.error(), "water of release"));
+    const scene wetByVolume(
+        before + "} water { dryBulkFraction 0.8; excess onTop; } }",
+        "grains water"
+    );
+    wetByVolume.write("constant/boundaryProperties", "cyclic { x (0 1); }");
+    CHECK(
+        sum(wetByVolume.cloud("water").scalars["mass"])
+        == Approx(1000 * 0.8 * 0.5).epsilon(1e-6)
+    );
+}
+
+TEST_CASE("a velocity at the start counts in the largest speed", "[release]")
+{
+    const auto maxSpeed = [](const std::string& velocity)
+    {
+        const scene s(
+            "spacing 0.1; origin (0 0 0);" + floorPart
+            + "release { type box; corner (0 0 0); edges ((1 0 0) (0 1 0) (0 0 "
+              "0.5)); velocity "
+            + velocity + "; grains { solidFraction 0.6; } }"
+        );
+        s.prepare();
+        return s.properties().get<scalar>("maxSpeed");
+    };
+    // from the top, 0.5 m over the floor, g = 10
+    CHECK(maxSpeed("(0 0 0)") == Approx(std::sqrt(10)));
+    CHECK(maxSpeed("(0 3 4)") == Approx(std::sqrt(35)));
 }
 
 TEST_CASE("the same scene elsewhere has the same particles", "[release]")

@@ -358,7 +358,7 @@ TEST_CASE("a dry bed in a lake stays dry", "[release][water]")
 TEST_CASE("memory of a run counts both phases", "[release][water]")
 {
     const auto bytes = [](const label grains, const label water) {
-        return estimateRun({grains, water, 0.13, 0.5, 1, 10, 1, 0}).memory;
+        return estimateRun({grains, water, 0.13, 0.5, 1, 10, 1, 0, 0}).memory;
     };
     CHECK(bytes(1000, 500) == bytes(1000, 0) + bytes(0, 500));
     CHECK(bytes(0, 1000) == 400e3);

@@ -13,6 +13,7 @@ Usage        lpfSolver [-case <dir>] [-threads <N>]
 */
 #include "argList.H"
 #include "caseRun.H"
+#include "exitStatus.H"
 
 #include <cstdlib>
 #include <omp.h>
@@ -56,12 +57,17 @@ int main(int argc, char* argv[])
         omp_set_num_threads(threads);
     }
 
-    lpf::caseRun run(args.path());
-    while (run.running())
-    {
-        run.step();
-    }
-    const int status = run.finish();
+    const int status = lpf::exitStatus(
+        [&]
+        {
+            lpf::caseRun run(args.path());
+            while (run.running())
+            {
+                run.step();
+            }
+            return run.finish();
+        }
+    );
     if (status)
     {
         // the destructor of args ends the program with status 0

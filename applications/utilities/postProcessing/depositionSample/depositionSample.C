@@ -19,6 +19,7 @@ Usage        depositionSample [-case <dir>] [-dict <file>]
 #include "timeSelector.H"
 
 #include "caseSampler.H"
+#include "exitStatus.H"
 #include "inputCheck.H"
 #include "productFolder.H"
 #include "products.H"
@@ -38,23 +39,9 @@ fileName dictionaryFile(const argList& args)
     return file.isAbsolute() ? file : cwd() / file;
 }
 
-} // namespace
 
-
-int main(int argc, char* argv[])
+int sample(const argList& args)
 {
-    argList::addNote("Deposit maps and tables of the written times");
-    argList::noParallel();
-    argList::noFunctionObjects();
-    argList::addOption(
-        "dict", "file", "Read another file than system/depositionSampleDict"
-    );
-    timeSelector::addOptions(false, false);
-    const argList args(argc, argv);
-    if (!args.checkRootCase())
-    {
-        FatalError.exit(); // argList ends with status 0 after a return
-    }
     // Without controlDict: only the times are needed, not what else it says
     Time runTime(
         args.rootPath(), args.caseName(), "system", "constant", false, false
@@ -87,4 +74,24 @@ int main(int argc, char* argv[])
     folder.commit();
     Info << "Written: " << folder.name() << nl << nl << "End" << nl << endl;
     return 0;
+}
+
+} // namespace
+
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Deposit maps and tables of the written times");
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption(
+        "dict", "file", "Read another file than system/depositionSampleDict"
+    );
+    timeSelector::addOptions(false, false);
+    const argList args(argc, argv);
+    if (!args.checkRootCase())
+    {
+        FatalError.exit(); // argList ends with status 0 after a return
+    }
+    return lpf::exitStatus([&] { return sample(args); });
 }

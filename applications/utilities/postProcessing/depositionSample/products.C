@@ -196,22 +196,52 @@ void writeRasters(
 )
 {
     const depositionFields& fields = result.fields;
-    writeRaster(
-        folder / "thicknessVertical.tif",
-        placed(result, fields.thicknessVertical),
-        rasterType::float64
-    );
-    const std::pair<const char*, const scalarField*> others[] = {
-        {"thicknessNormal", &fields.thicknessNormal},
-        {"depth", &fields.depth},
-        {"maxThicknessVertical", &fields.maxThicknessVertical},
-        {"maxDepth", &fields.maxDepth},
-        {"maxSpeed", &fields.maxSpeed},
-        {"maxParticleSpeed", &fields.maxParticleSpeed},
-        {"arrivalTime", &fields.arrivalTime}};
-    for (const auto& [name, values] : others)
+    struct map
     {
-        writeRaster(folder / word(name) + ".tif", placed(result, *values));
+        const char *name, *unit, *meaning;
+        const scalarField& values;
+    };
+    const map maps[] = {
+        {"thicknessVertical",
+         "m",
+         "volume per plan area, last time",
+         fields.thicknessVertical},
+        {"thicknessNormal",
+         "m",
+         "thicknessVertical x cos(slope of the ground), last time",
+         fields.thicknessNormal},
+        {"depth", "m", "top surface minus ground, last time", fields.depth},
+        {"maxThicknessVertical",
+         "m",
+         "largest thicknessVertical of the times sampled",
+         fields.maxThicknessVertical},
+        {"maxDepth",
+         "m",
+         "largest depth of the times sampled",
+         fields.maxDepth},
+        {"maxSpeed",
+         "m/s",
+         "largest speed of the depth average",
+         fields.maxSpeed},
+        {"maxParticleSpeed",
+         "m/s",
+         "largest speed of a particle",
+         fields.maxParticleSpeed},
+        {"arrivalTime",
+         "s",
+         "first time with thicknessVertical above half a spacing",
+         fields.arrivalTime}};
+    for (const map& m : maps)
+    {
+        // the sum of thickness is the volume: all its digits
+        const bool exact = &m.values == &fields.thicknessVertical;
+        writeRaster(
+            folder / word(m.name) + ".tif",
+            placed(result, m.values),
+            exact ? rasterType::float64 : rasterType::float32,
+            string(m.name) + " of " + result.cloud + ": " + m.meaning,
+            m.unit
+        );
     }
     writeOutline(folder, result, found.outline);
 }

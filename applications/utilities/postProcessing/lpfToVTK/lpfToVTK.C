@@ -21,6 +21,7 @@ Usage        lpfToVTK [-case dir] [-time ranges | -latestTime] [-noZero]
 #include "OSspecific.H"
 
 #include "cloudState.H"
+#include "exitStatus.H"
 #include "ground.H"
 #include "timeSeries.H"
 #include "uniformTime.H"
@@ -168,13 +169,8 @@ void convertGround(
          << flatOutput(terrain.zones()) << nl << endl;
 }
 
-} // namespace
-
-
-int main(int argc, char* argv[])
+int convert(const argList& args)
 {
-    describe();
-    const argList args(argc, argv);
     // without controlDict: all that is needed of it are the times
     Time runTime(
         args.rootPath(), args.caseName(), "system", "constant", false, false
@@ -203,11 +199,21 @@ int main(int argc, char* argv[])
             << "Run terrainToParticles and lpfSolver, or choose other times"
             << exit(FatalError);
     }
-    converter convert(caseDir, all, frame);
+    converter converted(caseDir, all, frame);
     for (const word& cloud : clouds)
     {
-        convert.convertCloud(cloud, selected);
+        converted.convertCloud(cloud, selected);
     }
     Info << "End" << nl << endl;
     return 0;
+}
+
+} // namespace
+
+
+int main(int argc, char* argv[])
+{
+    describe();
+    const argList args(argc, argv);
+    return lpf::exitStatus([&] { return convert(args); });
 }

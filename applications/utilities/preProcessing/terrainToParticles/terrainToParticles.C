@@ -12,6 +12,7 @@ Usage        terrainToParticles [-case <dir>] [-dict <file>]
              Manual etc/caseDicts/annotated/terrainToParticlesDict
 */
 #include "argList.H"
+#include "exitStatus.H"
 #include "scenePreparation.H"
 
 using namespace Foam;
@@ -37,9 +38,14 @@ int main(int argc, char* argv[])
     {
         dict = cwd() / dict;
     }
-    const lpf::scenePreparation scene(caseDir, dict);
-    scene.report();
-    scene.write();
-    Info << "End" << nl << endl;
-    return 0;
+    return lpf::exitStatus(
+        [&]
+        {
+            const lpf::scenePreparation scene(caseDir, dict);
+            scene.report();
+            scene.write();
+            Info << "End" << nl << endl;
+            return 0;
+        }
+    );
 }
