@@ -58,6 +58,20 @@ bool caseRun::running() const
     return control_.running() && !atRest_ && massCloses_ && flow_.size() > 0;
 }
 
+void caseRun::checkLimit() const
+{
+    if (!(limit_.deltaT > 0) || !std::isfinite(limit_.deltaT))
+    {
+        FatalErrorInFunction
+            << "The time step limit " << limit_.rule << " gives "
+            << limit_.deltaT << " s at time " << control_.time << " s, step "
+            << control_.index
+            << ": the solution is not finite. Restart from the last time "
+            << "with a smaller CFL, or with artificialViscosity 0.01"
+            << exit(FatalError);
+    }
+}
+
 void caseRun::step()
 {
     const bool first = control_.index == 0;
@@ -81,16 +95,7 @@ void caseRun::step()
         }
     }
     limit_ = flow_.stableDeltaT();
-    if (!(limit_.deltaT > 0) || !std::isfinite(limit_.deltaT))
-    {
-        FatalErrorInFunction
-            << "The time step limit " << limit_.rule << " gives "
-            << limit_.deltaT << " s at time " << control_.time << " s, step "
-            << control_.index
-            << ": the solution is not finite. Restart from the last time "
-            << "with a smaller CFL, or with artificialViscosity 0.01"
-            << exit(FatalError);
-    }
+    checkLimit();
     const scalar dt = control_.step(limit_.deltaT);
     if (report || control_.writesAfterStep())
     {

@@ -313,6 +313,11 @@ void caseRun::readPhases()
                               << endl;
         }
     }
+    readMaterials();
+}
+
+void caseRun::readMaterials()
+{
     if (has("grains"))
     {
         const dictionary& grains = neededDictionary(
@@ -838,22 +843,29 @@ void caseRun::readState()
         contact_->setPlane(all[0] & scene_.planeNormal);
     }
 
-    boundBox domain;
-    if (continued_)
-    {
-        const uniformTime t = readUniformTime(dir);
-        control_.time = t.value;
-        control_.index = t.index;
-        control_.deltaT = t.deltaT;
-        control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
-        domain = boundBox(
-            state.get<point>("domainMin"), state.get<point>("domainMax")
-        );
-    }
-    else
-    {
-        domain = domainOf(ground_->bounds(), all, scene_);
-    }
+    const boundBox domain = continued_
+                              ? continueFrom(dir, state)
+                              : domainOf(ground_->bounds(), all, scene_);
+    openLedgers(domain, state);
+    startSize_ = flow_.size();
+    printStart();
+}
+
+//- Time and step of a run that goes on; its domain
+boundBox caseRun::continueFrom(const fileName& dir, const dictionary& state)
+{
+    const uniformTime t = readUniformTime(dir);
+    control_.time = t.value;
+    control_.index = t.index;
+    control_.deltaT = t.deltaT;
+    control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
+    return boundBox(
+        state.get<point>("domainMin"), state.get<point>("domainMax")
+    );
+}
+
+void caseRun::openLedgers(const boundBox& domain, const dictionary& state)
+{
     const wordList names(flow_.names());
     const std::vector<phaseDynamics*> phases = flow_.phases();
     forAll (names, k)
@@ -871,8 +883,12 @@ void caseRun::readState()
             phase.ledger.initialMass = phase.mass();
         }
     }
-    startSize_ = flow_.size();
+}
 
+void caseRun::printStart() const
+{
+    const wordList names(flow_.names());
+    const std::vector<phaseDynamics*> phases = flow_.phases();
     Info << "Start from " << control_.timeName(control_.startTime())
          << (continued_ ? " (continued)" : "") << ":";
     forAll (names, k)

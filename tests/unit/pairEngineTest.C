@@ -456,8 +456,7 @@ lpfPairs::wallPass wallPassOf(cloud& c)
 
 
 //- N3 (10), D2 (6), area, friction, share, then the nearest element: its
-//squared
-//  distance, plane distance, normal, and whether there is one
+//  squared distance, plane distance, normal, and whether there is one
 results wallsBy(const pairEngine& engine, cloud& c)
 {
     results all(25, c.n);
