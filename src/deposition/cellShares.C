@@ -157,6 +157,34 @@ List<cellShares::neighbour> cellShares::kernelTable(const scalar h) const
 }
 
 
+template<class Test>
+labelList cellShares::nearEnd(
+    const List<neighbour>& kernel, const scalarField& ground, const Test& isCut
+) const
+{
+    // Cells with ground that the kernel connects with cells without. Most have
+    // none of these around, which a count of the rectangle tells at once
+    const groundCount count(grid_, ground);
+    label reach[2] = {0, 0};
+    for (const neighbour& d : kernel)
+    {
+        reach[0] = max(reach[0], mag(d.di));
+        reach[1] = max(reach[1], mag(d.dj));
+    }
+    DynamicList<label> near;
+    for (label c = 0; c < grid_.size(); ++c)
+    {
+        if (ground[c] > 0
+            && !count.isWhole(c % grid_.nx, c / grid_.nx, reach[0], reach[1])
+            && isCut(c))
+        {
+            near.append(c);
+        }
+    }
+    return labelList(std::move(near));
+}
+
+
 void cellShares::findEnds(const groundOnGrid& bed, const scalar h)
 {
     scalarField ground(grid_.size());
@@ -187,25 +215,11 @@ void cellShares::findEnds(const groundOnGrid& bed, const scalar h)
         return total;
     };
 
-    // Cells with ground that the kernel connects with cells without. Most have
-    // none of these around, which a count of the rectangle tells at once
-    const groundCount count(grid_, ground);
-    label reach[2] = {0, 0};
-    for (const neighbour& d : kernel)
-    {
-        reach[0] = max(reach[0], mag(d.di));
-        reach[1] = max(reach[1], mag(d.dj));
-    }
-    DynamicList<label> near;
-    for (label c = 0; c < grid_.size(); ++c)
-    {
-        if (ground[c] > 0
-            && !count.isWhole(c % grid_.nx, c / grid_.nx, reach[0], reach[1])
-            && convolved(c) < whole * (1 - 1e-12))
-        {
-            near.append(c);
-        }
-    }
+    const labelList near(nearEnd(
+        kernel,
+        ground,
+        [&](const label c) { return convolved(c) < whole * (1 - 1e-12); }
+    ));
     // Eight rounds leave less than a thousandth
     for (label round = 0; round < 8; ++round)
     {

@@ -143,6 +143,33 @@ void readMap(
     );
 }
 
+
+void readLines(const dictionary& dict, depositionControls& controls)
+{
+    const dictionary& paths = subOrEmpty(dict, "paths");
+    for (const word& name : paths.toc())
+    {
+        controls.paths.append(readPath(
+            neededDictionary(
+                paths, name, "write " + name + " { points ((x y) (x y)); }"
+            ),
+            name
+        ));
+    }
+    const dictionary& observed = subOrEmpty(dict, "observed");
+    for (const word& name : observed.toc())
+    {
+        controls.observed.append(readObserved(
+            neededDictionary(
+                observed,
+                name,
+                "write " + name + " { file \"...\"; compare ...; }"
+            ),
+            name
+        ));
+    }
+}
+
 } // namespace
 
 
@@ -187,28 +214,7 @@ depositionControls readDepositionControls(
     readOutline(subOrEmpty(dict, "outline"), controls);
     readMap(subOrEmpty(dict, "map"), caseName, controls);
 
-    const dictionary& paths = subOrEmpty(dict, "paths");
-    for (const word& name : paths.toc())
-    {
-        controls.paths.append(readPath(
-            neededDictionary(
-                paths, name, "write " + name + " { points ((x y) (x y)); }"
-            ),
-            name
-        ));
-    }
-    const dictionary& observed = subOrEmpty(dict, "observed");
-    for (const word& name : observed.toc())
-    {
-        controls.observed.append(readObserved(
-            neededDictionary(
-                observed,
-                name,
-                "write " + name + " { file \"...\"; compare ...; }"
-            ),
-            name
-        ));
-    }
+    readLines(dict, controls);
     return controls;
 }
 

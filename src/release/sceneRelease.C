@@ -260,6 +260,35 @@ void scenePreparation::fillReleases()
 }
 
 
+namespace
+{
+
+//- What the cyclic planes leave of a release, share, is said; of a given mass
+//  nobody knows which part it is
+void checkCut(const dictionary& grains, const word& name, const scalar share)
+{
+    if (share < 1)
+    {
+        if (grains.found("mass"))
+        {
+            refuse(
+                grains,
+                "mass",
+                "The cyclic planes cut " + Foam::name(100 * (1 - share))
+                    + " % off release " + name
+                    + ": which share of this mass lies between them? Let the"
+                      " release end at the planes, or leave mass out: it is"
+                      " then density x solidFraction x the volume between them"
+            );
+        }
+        Info << "Release " << name << ": the cyclic planes cut "
+             << 100 * (1 - share) << " % of its volume off" << nl << nl;
+    }
+}
+
+} // namespace
+
+
 releaseBody scenePreparation::fillGrains(const label i)
 {
     const dictionary& dict = *regionDicts_[i];
@@ -297,23 +326,7 @@ releaseBody scenePreparation::fillGrains(const label i)
             << " spacing of " << grid_.spacing << " m smaller than it?"
             << exit(FatalIOError);
     }
-    if (share < 1)
-    {
-        if (grains.found("mass"))
-        {
-            refuse(
-                grains,
-                "mass",
-                "The cyclic planes cut " + Foam::name(100 * (1 - share))
-                    + " % off release " + body.name
-                    + ": which share of this mass lies between them? Let the"
-                      " release end at the planes, or leave mass out: it is"
-                      " then density x solidFraction x the volume between them"
-            );
-        }
-        Info << "Release " << body.name << ": the cyclic planes cut "
-             << 100 * (1 - share) << " % of its volume off" << nl << nl;
-    }
+    checkCut(grains, body.name, share);
     body.mass = readNumber(
         grains,
         "mass",
