@@ -2,6 +2,7 @@
 #include "grainDynamics.H"
 
 #include "coulomb.H"
+#include "fieldTensors.H"
 #include "momentInverse.H"
 #include "pairTerms.H"
 
@@ -13,59 +14,8 @@ namespace lpf
 namespace
 {
 
-using Vec3 = lpfPairs::Vec<double>;
-using Tens = lpfPairs::Tensor<double>;
-using Symm = lpfPairs::SymmTensor<double>;
 using lpfPairs::orderedSum;
 using lpfPairs::sumOf;
-
-Vec3 vecAt(const realArrays<3>& a, int i)
-{
-    return {a[0][i], a[1][i], a[2][i]};
-}
-
-Tens tensorAt(const realArrays<9>& a, int i)
-{
-    return {
-        {a[0][i], a[1][i], a[2][i]},
-        {a[3][i], a[4][i], a[5][i]},
-        {a[6][i], a[7][i], a[8][i]}};
-}
-
-Symm symmAt(const realArrays<6>& a, int i)
-{
-    return {a[0][i], a[1][i], a[2][i], a[3][i], a[4][i], a[5][i]};
-}
-
-void setTensor(realArrays<9>& a, int i, const Tens& t)
-{
-    const double v[9] = {
-        t.x.x, t.x.y, t.x.z, t.y.x, t.y.y, t.y.z, t.z.x, t.z.y, t.z.z};
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        a[c][i] = v[c];
-    }
-}
-
-void setSymm(realArrays<6>& a, int i, const Symm& t)
-{
-    const double v[6] = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
-    for (std::size_t c = 0; c < 6; ++c)
-    {
-        a[c][i] = v[c];
-    }
-}
-
-lpfPairs::SymmTensor3<double> thirdMoment(const lpfPairs::wallRecord& r)
-{
-    const double* a = r.N3;
-    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
-}
-
-vector toVector(const Vec3& a)
-{
-    return vector(a.x, a.y, a.z);
-}
 
 //- planarity (I - n n)
 Tens tangential(double planarity, const Vec3& n)
@@ -214,7 +164,6 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     nearWall& near = near_[slot];
     const Vec3 v = vecAt(grains.U, i);
     const auto N3 = thirdMoment(wall);
-    const double* D = wall.D2;
 
     const Vec3 nA = contracted(N3);
     const double magnitude = std::sqrt(magSqr(nA));
@@ -235,7 +184,7 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
         return;
     }
 
-    const Symm B = momentInverse(M + Symm{D[0], D[1], D[2], D[3], D[4], D[5]});
+    const Symm B = momentInverse(M + secondMoment(wall));
     const Symm Nv = N3 & v;
     const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
     const Tens P = tangential(near.planarity, near.n);
@@ -274,10 +223,7 @@ void grainDynamics::stressMoment()
                                 -q * trL * grains.V[i] * scene_.planeThickness};
                         }
     ).value;
-    for (auto& component : grains.L)
-    {
-        component.pad(grains.size(), 0);
-    }
+    padZero(grains.L, grains.size());
 }
 
 void grainDynamics::stressMomentOf(int i, double q)
@@ -491,14 +437,8 @@ grainPoint pointAt(const grainStore& grains, int i)
 
 timeStepLimit grainDynamics::stableDeltaT() const
 {
-    const scalar acceleration = maxAcceleration();
-    timeStepLimit limit = {
-        scheme_.CFL * scene_.h / (rheology_.elastic().c() + maxSpeed()),
-        "elastic"};
-    if (acceleration > 0)
-    {
-        limit.take({0.25 * sqrt(scene_.h / acceleration), "force"});
-    }
+    timeStepLimit limit =
+        waveLimit(scheme_.CFL, rheology_.elastic().c(), "elastic");
     if (rates_.maxStrainRate > 0)
     {
         limit.take({0.2 / rates_.maxStrainRate, "strain"});

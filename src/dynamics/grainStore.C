@@ -46,36 +46,31 @@ void grainStore::permute(const indexArray& order)
 
 void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
 {
-    resize(cloud.size());
+    readShared(cloud);
 
     const scalarField& alpha = cloud.scalars["alpha"];
     const bool continued = cloud.scalars.found("rhoRef");
 
     for (int i = 0; i < size_; ++i)
     {
-        set(x, i, cloud.positions[i]);
-        set(U, i, cloud.vectors["U"][i]);
         for (direction c = 0; c < 6; ++c)
         {
             sigma[c][i] = cloud.symmTensors["sigma"][i][c];
         }
-        mass[i] = cloud.scalars["mass"][i];
         rhoRef[i] =
             continued ? cloud.scalars["rhoRef"][i] : alpha[i] * grainDensity;
         rho[i] = continued ? cloud.scalars["rho"][i] : rhoRef[i];
         I[i] = continued ? cloud.scalars["I"][i] : 0;
-        id[i] = cloud.labels["id"][i];
-        zone[i] = cloud.labels["zone"][i];
     }
 }
 
 cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
 {
     cloudState cloud;
+    writeShared(cloud, h);
     symmTensorField stress(size_);
-    scalarField m(size_), density(size_), reference(size_), alpha(size_);
+    scalarField density(size_), reference(size_), alpha(size_);
     scalarField p(size_), inertial(size_);
-    labelField ids(size_), zones(size_);
 
     for (int i = 0; i < size_; ++i)
     {
@@ -84,27 +79,18 @@ cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
             stress[i][c] = sigma[c][i];
         }
         p[i] = -tr(stress[i]) / 3;
-        m[i] = mass[i];
         density[i] = rho[i];
         reference[i] = rhoRef[i];
         alpha[i] = rho[i] / grainDensity;
         inertial[i] = I[i];
-        ids[i] = id[i];
-        zones[i] = zone[i];
     }
 
-    cloud.positions = toField(x, size_);
-    cloud.vectors.set("U", toField(U, size_));
     cloud.symmTensors.set("sigma", stress);
-    cloud.scalars.set("mass", m);
     cloud.scalars.set("rho", density);
     cloud.scalars.set("rhoRef", reference);
     cloud.scalars.set("alpha", alpha);
-    cloud.scalars.set("h", scalarField(size_, h));
     cloud.scalars.set("p", p);
     cloud.scalars.set("I", inertial);
-    cloud.labels.set("id", ids);
-    cloud.labels.set("zone", zones);
     if (wet_)
     {
         cloud.vectors.set("drag", toField(drag, size_));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interphase.H"
 
+#include "fieldTensors.H"
 #include "orderedSum.H"
 
 namespace Foam
@@ -14,10 +15,6 @@ using lpfPairs::sumOf;
 
 namespace
 {
-
-using Vec3 = lpfPairs::Vec<double>;
-using Tens = lpfPairs::Tensor<double>;
-using Symm = lpfPairs::SymmTensor<double>;
 
 //- Porosity is not below this
 constexpr scalar leastPorosity = 0.05;
@@ -61,43 +58,6 @@ scalar filled(scalar share)
          + (1 - from) * sqr(t) * (3 - 2 * t); // Hermite, slopes 1 and 0
 }
 
-vector toVector(const Vec3& a)
-{
-    return vector(a.x, a.y, a.z);
-}
-
-Vec3 vecAt(const realArrays<3>& a, int i)
-{
-    return {a[0][i], a[1][i], a[2][i]};
-}
-
-Tens tensorAt(const realArrays<9>& a, int i)
-{
-    return {
-        {a[0][i], a[1][i], a[2][i]},
-        {a[3][i], a[4][i], a[5][i]},
-        {a[6][i], a[7][i], a[8][i]}};
-}
-
-void setTensor(realArrays<9>& a, int i, const Tens& t)
-{
-    const double v[9] = {
-        t.x.x, t.x.y, t.x.z, t.y.x, t.y.y, t.y.z, t.z.x, t.z.y, t.z.z};
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        a[c][i] = v[c];
-    }
-}
-
-template<std::size_t n>
-void fillPadding(std::array<realArray, n>& arrays, int size)
-{
-    for (auto& component : arrays)
-    {
-        component.pad(size, 0);
-    }
-}
-
 scalar norm(const Tens& a)
 {
     return sqrt(magSqr(a.x) + magSqr(a.y) + magSqr(a.z));
@@ -135,13 +95,8 @@ interphase::interphase(
 )
     : engine_(engine), grains_(grains), water_(water), law_(law),
       grainDensity_(grainDensity), diameter_(diameter),
-      h_(0.5 * (grains.scene().h + water.scene().h)), acrossPlane_{}
+      h_(0.5 * (grains.scene().h + water.scene().h))
 {
-    if (grains.scene().dimensions == 2)
-    {
-        const vector& e = grains.scene().planeNormal;
-        acrossPlane_ = dyad(1.0, Vec3{e.x(), e.y(), e.z()});
-    }
 }
 
 lpfPairs::crossPass interphase::crossed(
@@ -255,17 +210,8 @@ void interphase::correctionOf(int k)
     scalar QbySW = 0;
     if (SW > dryShare)
     {
-        const Symm N = {
-            fromWater_[0][k],
-            fromWater_[1][k],
-            fromWater_[2][k],
-            fromWater_[3][k],
-            fromWater_[4][k],
-            fromWater_[5][k]};
-        const Vec3 offset = {
-            fromGrains_[0][k] / SW,
-            fromGrains_[1][k] / SW,
-            fromGrains_[2][k] / SW};
+        const Symm N = symmAt(fromWater_, k);
+        const Vec3 offset = (1 / SW) * vecAt(fromGrains_, k);
         const scalar full =
             min(scalar(1), SW / openShare(grains_.groundShare(k)));
         const Tens unit = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -273,7 +219,7 @@ void interphase::correctionOf(int k)
         Tens inverse;
         if (full > wetFrom
             && invert(
-                lpfPairs::full(N + acrossPlane_)
+                lpfPairs::full(N + grains_.acrossPlane())
                     - outer(vecAt(gradient_, k), offset),
                 inverse
             ))
@@ -304,7 +250,7 @@ void interphase::divergence()
             }
         }
     );
-    fillPadding(C_, n);
+    padZero(C_, n);
     Q_.pad(n, 0);
 
     lpfPairs::grainDivergencePass p = {};
@@ -362,8 +308,7 @@ void interphase::pressureOnGrains()
             for (int k = begin; k < end; ++k)
             {
                 P_[k] = share_[k] > dryShare ? P_[k] / share_[k] : 0;
-                const Vec3 grad = {
-                    fromWater_[0][k], fromWater_[1][k], fromWater_[2][k]};
+                const Vec3 grad = vecAt(fromWater_, k);
                 const Vec3 F =
                     (-thickness)
                     * (tensorAt(C_, k) & (grad - P_[k] * vecAt(gradient_, k)));
@@ -439,7 +384,7 @@ void interphase::gather(const phaseDynamics& from, realArrays<7>& at)
             }
         }
     );
-    fillPadding(carried_, n);
+    padZero(carried_, n);
 
     lpfPairs::smoothPass p = {crossed(grains_, from), 7, {}, {}};
     for (std::size_t c = 0; c < 7; ++c)

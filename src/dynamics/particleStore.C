@@ -72,5 +72,36 @@ void particleStore::permute(const indexArray& order)
     permute(zone, order);
 }
 
+void particleStore::readShared(const cloudState& cloud)
+{
+    resize(cloud.size());
+    for (int i = 0; i < size_; ++i)
+    {
+        set(x, i, cloud.positions[i]);
+        set(U, i, cloud.vectors["U"][i]);
+        mass[i] = cloud.scalars["mass"][i];
+        id[i] = cloud.labels["id"][i];
+        zone[i] = cloud.labels["zone"][i];
+    }
+}
+
+void particleStore::writeShared(cloudState& cloud, scalar h) const
+{
+    scalarField m(size_);
+    labelField ids(size_), zones(size_);
+    for (int i = 0; i < size_; ++i)
+    {
+        m[i] = mass[i];
+        ids[i] = id[i];
+        zones[i] = zone[i];
+    }
+    cloud.positions = toField(x, size_);
+    cloud.vectors.set("U", toField(U, size_));
+    cloud.scalars.set("mass", m);
+    cloud.scalars.set("h", scalarField(size_, h));
+    cloud.labels.set("id", ids);
+    cloud.labels.set("zone", zones);
+}
+
 } // namespace lpf
 } // namespace Foam

@@ -300,11 +300,18 @@ scalar phaseDynamics::movingMass(scalar threshold) const
     ).value;
 }
 
-scalar phaseDynamics::maxAcceleration() const
+timeStepLimit
+phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
 {
-    return sqrt(lpfPairs::largest(
+    const scalar acceleration = sqrt(lpfPairs::largest(
         particles_.size(), [&](int i) { return magSqr(at(particles_.a, i)); }
     ));
+    timeStepLimit limit = {CFL * scene_.h / (c + maxSpeed()), rule};
+    if (acceleration > 0)
+    {
+        limit.take({0.25 * sqrt(scene_.h / acceleration), "force"});
+    }
+    return limit;
 }
 
 std::size_t phaseDynamics::bytes() const

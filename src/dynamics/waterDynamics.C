@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "waterDynamics.H"
 
+#include "fieldTensors.H"
 #include "latticeSums.H"
 #include "orderedSum.H"
 
@@ -24,28 +25,6 @@ constexpr scalar leastOpen = 0.2;
 
 //- And its density stays above this
 constexpr scalar lowestDensity = 0.01;
-
-lpfPairs::SymmTensor3<double> thirdMoment(const lpfPairs::wallRecord& r)
-{
-    const double* a = r.N3;
-    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
-}
-
-lpfPairs::SymmTensor<double> secondMoment(const lpfPairs::wallRecord& r)
-{
-    const double* a = r.D2;
-    return {a[0], a[1], a[2], a[3], a[4], a[5]};
-}
-
-vector toVector(const lpfPairs::Vec<double>& a)
-{
-    return vector(a.x, a.y, a.z);
-}
-
-lpfPairs::Vec<double> toVec(const vector& a)
-{
-    return {a.x(), a.y(), a.z()};
-}
 
 } // namespace
 
@@ -383,18 +362,12 @@ void waterDynamics::kick(scalar dt)
 
 timeStepLimit waterDynamics::stableDeltaT() const
 {
-    const scalar h = scene_.h;
-    timeStepLimit limit = {
-        scheme_.CFL * h / (state_.c0() + maxSpeed()), "sound"};
-    const scalar acceleration = maxAcceleration();
-    if (acceleration > 0)
-    {
-        limit.take({0.25 * sqrt(h / acceleration), "force"});
-    }
+    timeStepLimit limit = waveLimit(scheme_.CFL, state_.c0(), "sound");
     if (viscosity_.largest() > 0)
     {
         limit.take(
-            {0.125 * sqr(h) * state_.rho0() / viscosity_.largest(), "viscosity"}
+            {0.125 * sqr(scene_.h) * state_.rho0() / viscosity_.largest(),
+             "viscosity"}
         );
     }
     return limit;

@@ -28,13 +28,11 @@ LPF_ONE_BODY void kinematicsOfParticle(
     const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
     Kinematics<pack> total = {};
 
-    overPairs(
+    overNeighbours(
+        p,
+        W,
         around,
-        broadcast(p.x, p.y, p.z, i),
-        p.x,
-        p.y,
-        p.z,
-        W.supportSqr(),
+        i,
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             addKinematics(
@@ -120,13 +118,11 @@ LPF_ONE_BODY void forceOnParticle(
     Vec<pack> a = {};
     pack power(0.0);
 
-    overPairs(
+    overNeighbours(
+        p,
+        W,
         around,
-        broadcast(p.x, p.y, p.z, i),
-        p.x,
-        p.y,
-        p.z,
-        W.supportSqr(),
+        i,
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             addForce(
@@ -247,7 +243,15 @@ void store(const WallSums<pack>& from, wallRecord& to)
     to.share = lpfPairs::sum(from.share);
 }
 
-template<bool withShare>
+//- What is asked of the ground
+enum class wallSums
+{
+    plain,
+    withShare2, //!< and the share of the kernel inside it, in two dimensions
+    withShare3  //!< in three
+};
+
+template<wallSums kind>
 LPF_ONE_BODY void wallOfParticle(
     const wallPass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -273,9 +277,10 @@ LPF_ONE_BODY void wallOfParticle(
             addWall(
                 total, LayerSums<pack>{A * s.E, A * s.D}, n, load(p.mu + q)
             );
-            if constexpr (withShare)
+            if constexpr (kind != wallSums::plain)
             {
-                total.share += solidShare(W, rSqr, d, A);
+                constexpr int D = kind == wallSums::withShare3 ? 3 : 2;
+                total.share += solidShare<D>(W, rSqr, d, A);
             }
             nearest.see(rSqr, d, n, p.outOfSight);
         }
@@ -286,7 +291,7 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
-template<bool withShare>
+template<wallSums kind>
 void wall(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -298,7 +303,7 @@ void wall(const wallPass& p)
         {
             if (around.count > 0)
             {
-                wallOfParticle<withShare>(p, W, around, i);
+                wallOfParticle<kind>(p, W, around, i);
             }
         }
     );
@@ -306,7 +311,18 @@ void wall(const wallPass& p)
 
 void anyWall(const wallPass& p)
 {
-    p.withShare ? wall<true>(p) : wall<false>(p);
+    if (!p.withShare)
+    {
+        wall<wallSums::plain>(p);
+    }
+    else if (p.dimensions == 3)
+    {
+        wall<wallSums::withShare3>(p);
+    }
+    else
+    {
+        wall<wallSums::withShare2>(p);
+    }
 }
 
 int wallSlots(const cellGrid& cells, const cellGrid& elements, int* slot)

@@ -22,13 +22,11 @@ LPF_ONE_BODY void continuityOfParticle(
     const Vec<pack> hydrostatic = {pack(H[0]), pack(H[1]), pack(H[2])};
     Continuity<pack> total = {};
 
-    overPairs(
+    overNeighbours(
+        p,
+        W,
         around,
-        broadcast(p.x, p.y, p.z, i),
-        p.x,
-        p.y,
-        p.z,
-        W.supportSqr(),
+        i,
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             const pack VF =
@@ -135,13 +133,11 @@ LPF_ONE_BODY void forceOnWater(
     Vec<pack> total = {}, perMass = {}, perVolume = {};
     lostPower lost;
 
-    overPairs(
+    overNeighbours(
+        p,
+        W,
         around,
-        broadcast(p.x, p.y, p.z, i),
-        p.x,
-        p.y,
-        p.z,
-        W.supportSqr(),
+        i,
         [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
         {
             const pack VF =

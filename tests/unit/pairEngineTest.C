@@ -519,7 +519,10 @@ results wallsByElements(cloud& c)
                     vec(n),
                     c.mu[q]
                 );
-                sum.share += solidShare(W, rSqr, d, c.area[q]);
+                sum.share +=
+                    (c.dimensions == 3
+                         ? lpfPairs::solidShare<3>(W, rSqr, d, c.area[q])
+                         : lpfPairs::solidShare<2>(W, rSqr, d, c.area[q]));
             }
         }
         static_assert(sizeof(sum) == 19 * sizeof(double), "all of the sums");
