@@ -52,7 +52,6 @@ void flow::rates(scalar dt, scalar time)
     water->arrange(time);
     coupling->porosity();
     water->divergence();
-    coupling->divergence();
     water->correct(dt);
     water->accelerations();
     coupling->forces();

@@ -22,16 +22,12 @@ constexpr scalar leastPorosity = 0.05;
 //- Densest packing that a drag law is asked for
 constexpr scalar densest = 0.74;
 
-//- Share of the open kernel that water fills, from which the gradient of its
-//  pressure is corrected, and is corrected in full
-constexpr scalar wetFrom = 0.45, wetTo = 0.65;
+//- Grains with less water around than this share of what their pores could
+//  hold stand out of it in part
+constexpr scalar immersed = 0.7;
 
 //- Less water around than this share of the kernel is none
 constexpr scalar dryShare = 1e-6;
-
-//- Norm of a correction above which it is not applied, 1.7 where water is all
-//  around
-constexpr scalar largestCorrection = 6;
 
 //- Share of the kernel that is not ground, as a divisor
 scalar openShare(scalar groundShare)
@@ -56,31 +52,6 @@ scalar filled(scalar share)
     const scalar t = (share - from) / (to - from);
     return from + (to - from) * t * sqr(1 - t)
          + (1 - from) * sqr(t) * (3 - 2 * t); // Hermite, slopes 1 and 0
-}
-
-scalar norm(const Tens& a)
-{
-    return sqrt(magSqr(a.x) + magSqr(a.y) + magSqr(a.z));
-}
-
-//- Inverse of a, where it is not much larger than the unit tensor; else none
-bool invert(const Tens& a, Tens& inverse)
-{
-    const Tens cofactors = {cross(a.y, a.z), cross(a.z, a.x), cross(a.x, a.y)};
-    const scalar det = a.x & cofactors.x;
-    if (!(mag(det) > VSMALL))
-    {
-        return false;
-    }
-    inverse = (1 / det) * transpose(cofactors);
-    return norm(inverse) < largestCorrection;
-}
-
-//- 0 below from, 1 above to, smooth between
-scalar smoothStep(scalar from, scalar to, scalar x)
-{
-    const scalar t = min(scalar(1), max(scalar(0), (x - from) / (to - from)));
-    return sqr(t) * (3 - 2 * t);
 }
 
 } // namespace
@@ -118,247 +89,119 @@ lpfPairs::crossPass interphase::crossed(
     return p;
 }
 
-// theta_a = 1 - xi_a g(S_a/(1 - gam_a))                             (T 6.1)
-//     S = sum_k V_k W_ak,  xi = sum_k Vs_k W_ak/S
-void interphase::porosity()
+void interphase::resize(int n)
+{
+    Vs_.resize(n);
+    around_.resize(n);
+    lpf::resize(fromGrains_, n);
+    lpf::resize(fromWater_, n);
+}
+
+// Each grain shares its volume out to the water around it, by volume of water:
+//     w_ka = O_a W_ka/SO_k,  O = m/max(rho_f, rho0/2),
+//     SO_k = max(sum_a O_a W_ka, 0.7 (1 - gam) (1 - phi_k))         (T 6.2)
+void interphase::seeWater()
 {
     const grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
     const int n = grains.size();
 
     resize(n);
+    water_.waterVolumes(water.V);
+    lpfPairs::smoothPass p = {crossed(grains_, water_), 1, {}, {}};
+    p.q[0] = water.V.data();
+    p.out[0] = around_.data();
+    engine_.smooth(p);
+
     for (int k = 0; k < n; ++k)
     {
         Vs_[k] =
             grains.mass[k] / (grainDensity_ * grains_.scene().planeThickness);
+        const scalar pores =
+            max(leastPorosity, 1 - grains.rho[k] / grainDensity_);
+        around_[k] = Vs_[k]
+                   / max(around_[k],
+                         immersed * openShare(grains_.groundShare(k)) * pores);
     }
-    Vs_.pad(n, 0);
-
-    lpfPairs::smoothPass p = {crossed(water_, grains_), 2, {}, {}};
-    p.q[0] = Vs_.data();
-    p.q[1] = grains.V.data();
-    p.out[0] = water.theta.data();
-    p.out[1] = water.viscous.data(); // free until the forces
-    engine_.smooth(p);
-
-    const scalar solid = lpfPairs::largest(
-        water.size(),
-        [&](int a)
-        {
-            const scalar S = water.viscous[a];
-            const scalar full = filled(S / openShare(water_.groundShare(a)));
-            const scalar xi = S > 0 ? water.theta[a] / S * full : 0;
-            water.theta[a] = max(leastPorosity, 1 - xi); // (T 6.1)
-            return 1 - water.theta[a];
-        }
-    );
-    leastTheta_ = 1 - solid;
 }
 
-void interphase::resize(int n)
-{
-    for (auto* f : {&Vs_, &share_, &Q_, &P_})
-    {
-        f->resize(n);
-    }
-    lpf::resize(gradient_, n);
-    lpf::resize(C_, n);
-    lpf::resize(fromGrains_, n);
-    lpf::resize(fromWater_, n);
-}
-
-void interphase::moments()
-{
-    const grainStore& grains = grains_.grains;
-    const waterStore& water = water_.water;
-    lpfPairs::waterMomentsPass p = {};
-    static_cast<lpfPairs::crossPass&>(p) = crossed(grains_, water_);
-    p.u = grains.U[0].data();
-    p.v = grains.U[1].data();
-    p.w = grains.U[2].data();
-    p.U = water.U[0].data();
-    p.V = water.U[1].data();
-    p.W = water.U[2].data();
-    p.volume = water.V.data();
-    p.share = share_.data();
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-        p.offset[c] = fromGrains_[c].data();
-        p.gradient[c] = gradient_[c].data();
-    }
-    for (std::size_t c = 0; c < 6; ++c)
-    {
-        p.N[c] = fromWater_[c].data();
-    }
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        p.slip[c] = C_[c].data();
-    }
-    engine_.waterMoments(p);
-}
-
-// With the centroid of the water around, xbar, SW = sum_a V_a W_ka,
-//     C = (sum_a V_a gradW (x) (x_a - xbar))^-1
-//     Q = sum_a V_a (C gradW).(v_k - v_a)                           (T 6.3)
-// exact for a linear pressure also where water lies on one side only. Where it
-// fills less than half of the kernel, C = SW/(1 - gam) I, with a smooth change
-void interphase::correctionOf(int k)
-{
-    const scalar SW = share_[k], Vs = Vs_[k];
-    const Tens slip = tensorAt(C_, k);
-    Tens C = {};
-    scalar QbySW = 0;
-    if (SW > dryShare)
-    {
-        const Symm N = symmAt(fromWater_, k);
-        const Vec3 offset = (1 / SW) * vecAt(fromGrains_, k);
-        const scalar full =
-            min(scalar(1), SW / openShare(grains_.groundShare(k)));
-        const Tens unit = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        C = full * unit;
-        Tens inverse;
-        if (full > wetFrom
-            && invert(
-                lpfPairs::full(N + grains_.acrossPlane())
-                    - outer(vecAt(gradient_, k), offset),
-                inverse
-            ))
-        {
-            const scalar w = smoothStep(wetFrom, wetTo, full);
-            C = w * inverse + (1 - w) * C;
-        }
-        QbySW = (C && transpose(slip)) / SW;
-    }
-    setTensor(C_, k, Vs * C);
-    Q_[k] = Vs * QbySW;
-}
-
-void interphase::divergence()
+// theta_a = 1/(1 + chi_a),  chi_a = sum_k Vs_k W_ka/SO_k            (T 6.1)
+// q_a = theta_a (v_a + sum_k Vs_k W_ka v_k/SO_k)                    (T 6.3)
+void interphase::porosity()
 {
     const grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
-    const int n = grains.size(), nWater = water.size();
+    const int n = grains.size();
 
-    moments();
+    seeWater();
     forChunks(
         n,
         [&](int begin, int end, int)
         {
             for (int k = begin; k < end; ++k)
             {
-                correctionOf(k);
+                fromGrains_[0][k] = around_[k];
+                for (std::size_t c = 0; c < 3; ++c)
+                {
+                    fromGrains_[1 + c][k] = around_[k] * grains.U[c][k];
+                }
             }
         }
     );
-    padZero(C_, n);
-    Q_.pad(n, 0);
-
-    lpfPairs::grainDivergencePass p = {};
-    static_cast<lpfPairs::crossPass&>(p) = crossed(water_, grains_);
-    p.u = water.U[0].data();
-    p.v = water.U[1].data();
-    p.w = water.U[2].data();
-    p.U = grains.U[0].data();
-    p.V = grains.U[1].data();
-    p.W = grains.U[2].data();
-    for (std::size_t c = 0; c < 9; ++c)
+    lpfPairs::smoothPass p = {crossed(water_, grains_), 4, {}, {}};
+    for (std::size_t c = 0; c < 4; ++c)
     {
-        p.VsC[c] = C_[c].data();
+        fromGrains_[c].pad(n, 0);
+        p.q[c] = fromGrains_[c].data();
+        p.out[c] = c == 0 ? water.theta.data() : water.flux[c - 1].data();
     }
-    p.VsQ = Q_.data();
-    p.divergence = water.viscous.data(); // free until the forces
-    engine_.grainDivergence(p);
+    engine_.smooth(p);
 
-    // r = (div v - sum_k Vs_k [g_ka.(v_k - v_a) - W_ka Q_k/SW_k])/theta (T 6.4)
-    for (int a = 0; a < nWater; ++a)
-    {
-        water.rate[a] = (water.rate[a] - water.viscous[a]) / water.theta[a];
-    }
+    leastTheta_ = 1
+                - lpfPairs::largest(
+                      water.size(),
+                      [&](int a)
+                      {
+                          const scalar theta = 1 / (1 + water.theta[a]);
+                          water.theta[a] = theta; // (T 6.1)
+                          set(water.flux,
+                              a,
+                              theta * (at(water.U, a) + at(water.flux, a)));
+                          return 1 - theta;
+                      }
+                );
 }
 
-// F_k = - Vs C sum_a V_a (P_a - P_k) gradW,  P_k = sum V P W/SW      (T 6.5)
-void interphase::pressureOnGrains()
+// The grains feel the pressure force that the water around them feels:
+//     F_k = Vs_k sum_a w_ka G_a,  G_a = f_a/V_a                     (T 6.5)
+void interphase::forces()
 {
     grainStore& grains = grains_.grains;
-    const waterStore& water = water_.water;
-    const int n = grains.size(), nWater = water.size();
+    waterStore& water = water_.water;
+    const int n = grains.size();
 
-    VP_.resize(nWater);
-    for (int a = 0; a < nWater; ++a)
-    {
-        VP_[a] = water.V[a] * water.p[a];
-    }
-    VP_.pad(nWater, 0);
-
-    lpfPairs::waterPressurePass p = {};
-    static_cast<lpfPairs::crossPass&>(p) = crossed(grains_, water_);
-    p.VP = VP_.data();
-    p.sum = P_.data();
+    lpfPairs::smoothPass p = {crossed(grains_, water_), 3, {}, {}};
     for (std::size_t c = 0; c < 3; ++c)
     {
-        p.grad[c] = fromWater_[c].data();
+        water.gradPForce[c].pad(water.size(), 0);
+        p.q[c] = water.gradPForce[c].data();
+        p.out[c] = grains.gradPForce[c].data();
     }
-    engine_.waterPressure(p);
+    engine_.smooth(p);
 
-    const scalar thickness = grains_.scene().planeThickness;
     forChunks(
         n,
         [&](int begin, int end, int)
         {
             for (int k = begin; k < end; ++k)
             {
-                P_[k] = share_[k] > dryShare ? P_[k] / share_[k] : 0;
-                const Vec3 grad = vecAt(fromWater_, k);
-                const Vec3 F =
-                    (-thickness)
-                    * (tensorAt(C_, k) & (grad - P_[k] * vecAt(gradient_, k)));
-                const vector a = toVector(F) / grains.mass[k]; // (T 6.5)
+                const vector a =
+                    around_[k] / grains.mass[k] * at(grains.gradPForce, k);
                 set(grains.gradPForce, k, a);
                 set(grains.a, k, at(grains.a, k) + a);
             }
         }
     );
-    P_.pad(n, 0);
-}
-
-void interphase::reactionOnWater()
-{
-    waterStore& water = water_.water;
-    const int nWater = water.size();
-    lpf::resize(reaction_, nWater);
-
-    lpfPairs::grainReactionPass p = {};
-    static_cast<lpfPairs::crossPass&>(p) = crossed(water_, grains_);
-    p.P = water.p.data();
-    p.Pk = P_.data();
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        p.VsC[c] = C_[c].data();
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-        p.force[c] = reaction_[c].data();
-    }
-    engine_.grainReaction(p);
-
-    const scalar thickness = water_.scene().planeThickness;
-    forChunks(
-        nWater,
-        [&](int begin, int end, int)
-        {
-            for (int a = begin; a < end; ++a)
-            {
-                const scalar s = thickness * water.V[a] / water.mass[a];
-                set(water.a, a, at(water.a, a) + s * at(reaction_, a));
-            }
-        }
-    );
-}
-
-void interphase::forces()
-{
-    pressureOnGrains();
-    reactionOnWater();
 }
 
 // m, m v and m a of the particles of one phase, smoothed at the grains
@@ -535,17 +378,16 @@ void interphase::distribute(
         ).value;
 }
 
-// Sound in the mixture, and short waves that see c0/theta:
+// Sound in the mixture
 //     c^2 = c0^2 (1 + xi_p rho_f/(theta rho_p)) + (K + 4 G/3)/rb_p  (T 6.10)
 timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeleton) const
 {
     const scalar c0 = water_.state().c0(), theta = leastTheta_;
     const scalar xi = max(scalar(1e-3), 1 - theta);
-    const scalar mixture = sqrt(
+    const scalar c = sqrt(
         sqr(c0) * (1 + xi * water_.state().rho0() / (theta * grainDensity_))
         + skeleton / (xi * grainDensity_)
     );
-    const scalar c = max(mixture, c0 / theta);
     const scalar h = min(grains_.scene().h, water_.scene().h);
     const scalar speed = max(grains_.maxSpeed(), water_.maxSpeed());
     return {CFL * h / (c + speed), "coupled sound"};
@@ -553,10 +395,8 @@ timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeleton) const
 
 std::size_t interphase::bytes() const
 {
-    return Vs_.bytes() + share_.bytes() + lpf::bytes(gradient_) + lpf::bytes(C_)
-         + Q_.bytes() + P_.bytes() + VP_.bytes() + lpf::bytes(reaction_)
-         + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
-         + lpf::bytes(carried_);
+    return Vs_.bytes() + around_.bytes() + lpf::bytes(fromWater_)
+         + lpf::bytes(fromGrains_) + lpf::bytes(carried_);
 }
 
 } // namespace lpf

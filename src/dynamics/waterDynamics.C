@@ -65,9 +65,8 @@ void waterDynamics::arrange(scalar time)
     near_.resize(walls_.size());
 }
 
-// V = m/(theta rho): the bulk volume that a particle of water fills, grains
-// included                                                          (T 5.9)
-void waterDynamics::volumes()
+// O = m/max(rho_f, rho0/2): the volume of the water in a particle
+void waterDynamics::waterVolumes(realArray& O) const
 {
     const int n = water.size();
     const scalar least = thinnest * state_.rho0();
@@ -77,11 +76,20 @@ void waterDynamics::volumes()
         {
             for (int i = begin; i < end; ++i)
             {
-                water.V[i] = water.mass[i]
-                           / (max(water.rho[i], least) * scene_.planeThickness);
+                O[i] = water.mass[i]
+                     / (max(water.rho[i], least) * scene_.planeThickness);
             }
         }
     );
+    O.pad(n, 0);
+}
+
+// V = O/theta: the bulk volume that a particle of water fills, its share of the
+// grains included                                                   (T 5.9)
+void waterDynamics::volumes()
+{
+    const int n = water.size();
+    waterVolumes(water.V);
     if (withGrains_)
     {
         for (int i = 0; i < n; ++i)
@@ -89,8 +97,13 @@ void waterDynamics::volumes()
             water.V[i] /= water.theta[i];
         }
     }
-    water.V.pad(n, 0);
     water.rho.pad(n, state_.rho0());
+}
+
+// Velocity of the volume, of water and grains together              (T 6.3)
+const realArrays<3>& waterDynamics::volumeFlux() const
+{
+    return withGrains_ ? water.flux : water.U;
 }
 
 void waterDynamics::divergence()
@@ -104,9 +117,10 @@ void waterDynamics::divergence()
     p.x = water.x[0].data();
     p.y = water.x[1].data();
     p.z = water.x[2].data();
-    p.u = water.U[0].data();
-    p.v = water.U[1].data();
-    p.w = water.U[2].data();
+    const realArrays<3>& flux = volumeFlux();
+    p.u = flux[0].data();
+    p.v = flux[1].data();
+    p.w = flux[2].data();
     p.V = water.V.data();
     p.rho = water.rho.data();
     p.scale = gradientScale_;
@@ -139,7 +153,7 @@ void waterDynamics::addGround()
                     near.areaNormal =
                         gradientScale_ * contracted(thirdMoment(walls_[slot]));
                     water.rate[i] +=
-                        2 * (at(water.U, i) & toVector(near.areaNormal));
+                        2 * (at(volumeFlux(), i) & toVector(near.areaNormal));
                 }
             }
         }
@@ -152,6 +166,14 @@ void waterDynamics::addGround()
 void waterDynamics::correct(scalar dt)
 {
     const int n = water.size();
+    if (withGrains_)
+    {
+        // the volume that water leaves is compressed by all of it   (T 6.4)
+        for (int i = 0; i < n; ++i)
+        {
+            water.rate[i] /= water.theta[i];
+        }
+    }
     const scalar diffusivity =
         scheme_.densityDiffusion * scene_.h * state_.c0();
     const scalar quiet = 1e-4 * state_.c0() / scene_.h;
@@ -269,14 +291,19 @@ void waterDynamics::addForcesOfGround()
         {
             for (int i = begin; i < end; ++i)
             {
-                vector a = at(water.a, i) + at(water.friction, i) + scene_.g;
+                vector a = at(water.a, i);
                 if (slot_[i] >= 0)
                 {
                     nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
                     pressureOfGround(i, near);
                     a += near.force / water.mass[i];
                 }
-                set(water.a, i, a);
+                if (withGrains_)
+                {
+                    a *= water.theta[i]; // the grains take the rest (T 6.5)
+                    set(water.gradPForce, i, water.mass[i] * a);
+                }
+                set(water.a, i, a + at(water.friction, i) + scene_.g);
             }
         }
     );
@@ -330,6 +357,16 @@ struct kickSums
 
 } // namespace
 
+// Flux of the volume over a kick, the part of the grains as before it
+vector waterDynamics::meanFlux(
+    int i, const vector& before, const vector& after
+) const
+{
+    const vector half = 0.5 * (after - before);
+    return withGrains_ ? vector(at(water.flux, i) + water.theta[i] * half)
+                       : vector(before + half);
+}
+
 void waterDynamics::kick(scalar dt)
 {
     const kickSums sums = orderedSum<kickSums>(
@@ -346,7 +383,8 @@ void waterDynamics::kick(scalar dt)
                     near_[static_cast<std::size_t>(slot_[i])];
                 s.wall = near.force * dt;
                 s.wallNormal = mag(near.force) * dt;
-                s.correction = -0.5 * dt * (near.correction & (before + U));
+                s.correction =
+                    -dt * (near.correction & meanFlux(i, before, U));
             }
             set(water.U, i, U);
             return s;

@@ -17,6 +17,8 @@ void waterStore::resize(int n)
     if (withGrains_)
     {
         theta.resize(n);
+        lpf::resize(flux, n);
+        lpf::resize(gradPForce, n);
         lpf::resize(drag, n);
     }
 }
@@ -24,7 +26,8 @@ void waterStore::resize(int n)
 std::size_t waterStore::bytes() const
 {
     return particleStore::bytes() + 7 * rho.bytes() + lpf::bytes(friction)
-         + theta.bytes() + lpf::bytes(drag);
+         + theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
+         + lpf::bytes(drag);
 }
 
 void waterStore::permute(const indexArray& order)

@@ -391,10 +391,6 @@ const pairEngine engine = {
     waterContinuity,
     waterForce,
     smoothed,
-    waterMoments,
-    grainDivergences,
-    waterPressureOnGrains,
-    grainReactions,
     wallSlots,
     peak};
 

@@ -330,7 +330,6 @@ TEST_CASE("pressure coupling: momentum, and the power that water stores")
     b.water->arrange(0);
     b.coupling->porosity();
     b.water->divergence();
-    b.coupling->divergence();
     const double before = b.water->energy().elastic;
     b.water->correct(dt);
     const double stored = (b.water->energy().elastic - before) / dt;
@@ -374,7 +373,6 @@ TEST_CASE("pressure coupling: grains feel a linear pressure exactly")
     }
     b.coupling->porosity();
     b.water->divergence();
-    b.coupling->divergence();
     b.water->correct(0);
     for (int i = 0; i < w.size(); ++i)
     {
