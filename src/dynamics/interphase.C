@@ -26,6 +26,9 @@ constexpr scalar densest = 0.74;
 //  hold stand out of it in part
 constexpr scalar immersed = 0.7;
 
+//- Bulk volume of grains over the place they are in, from which they overlap
+constexpr scalar crowded = 1.1;
+
 //- Less water around than this share of the kernel is none
 constexpr scalar dryShare = 1e-6;
 
@@ -125,8 +128,20 @@ void interphase::seeWater()
     }
 }
 
-// theta_a = 1/(1 + chi_a),  chi_a = sum_k Vs_k W_ka/SO_k            (T 6.1)
-// q_a = theta_a (v_a + sum_k Vs_k W_ka v_k/SO_k)                    (T 6.3)
+// theta_a = 1/(1 + chi_a),  chi_a = s_a sum_k Vs_k W_ka/SO_k        (T 6.1)
+// q_a = theta_a (v_a + s_a sum_k Vs_k W_ka v_k/SO_k)                (T 6.3)
+// s_a = min(1, 1.1/sum_k V_k W_ka): grains that overlap displace less
+scalar interphase::takeShares(int a)
+{
+    waterStore& water = water_.water;
+    const scalar s = min(scalar(1), crowded / max(crowding_[a], SMALL));
+    const scalar theta = 1 / (1 + s * water.theta[a]); // (T 6.1)
+    crowding_[a] = s;
+    water.theta[a] = theta;
+    set(water.flux, a, theta * (at(water.U, a) + s * at(water.flux, a)));
+    return theta;
+}
+
 void interphase::porosity()
 {
     const grainStore& grains = grains_.grains;
@@ -148,28 +163,23 @@ void interphase::porosity()
             }
         }
     );
-    lpfPairs::smoothPass p = {crossed(water_, grains_), 4, {}, {}};
+    lpfPairs::smoothPass p = {crossed(water_, grains_), 5, {}, {}};
     for (std::size_t c = 0; c < 4; ++c)
     {
         fromGrains_[c].pad(n, 0);
         p.q[c] = fromGrains_[c].data();
         p.out[c] = c == 0 ? water.theta.data() : water.flux[c - 1].data();
     }
+    crowding_.resize(water.size());
+    p.q[4] = grains.V.data();
+    p.out[4] = crowding_.data();
     engine_.smooth(p);
 
-    leastTheta_ = 1
-                - lpfPairs::largest(
-                      water.size(),
-                      [&](int a)
-                      {
-                          const scalar theta = 1 / (1 + water.theta[a]);
-                          water.theta[a] = theta; // (T 6.1)
-                          set(water.flux,
-                              a,
-                              theta * (at(water.U, a) + at(water.flux, a)));
-                          return 1 - theta;
-                      }
-                );
+    leastTheta_ =
+        1
+        - lpfPairs::largest(
+            water.size(), [&](int a) { return 1 - takeShares(a); }
+        );
 }
 
 // The grains feel the pressure force that the water around them feels:
@@ -183,6 +193,10 @@ void interphase::forces()
     lpfPairs::smoothPass p = {crossed(grains_, water_), 3, {}, {}};
     for (std::size_t c = 0; c < 3; ++c)
     {
+        for (int i = 0; i < water.size(); ++i)
+        {
+            water.gradPForce[c][i] *= crowding_[i];
+        }
         water.gradPForce[c].pad(water.size(), 0);
         p.q[c] = water.gradPForce[c].data();
         p.out[c] = grains.gradPForce[c].data();
@@ -395,7 +409,7 @@ timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeleton) const
 
 std::size_t interphase::bytes() const
 {
-    return Vs_.bytes() + around_.bytes() + lpf::bytes(fromWater_)
+    return Vs_.bytes() + around_.bytes() + crowding_.bytes() + lpf::bytes(fromWater_)
          + lpf::bytes(fromGrains_) + lpf::bytes(carried_);
 }
 

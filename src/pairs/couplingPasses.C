@@ -63,8 +63,8 @@ void smoothed(const smoothPass& p)
     case 3:
         smoothAll<3>(p);
         break;
-    case 4:
-        smoothAll<4>(p);
+    case 5:
+        smoothAll<5>(p);
         break;
     default:
         smoothAll<7>(p);

@@ -251,7 +251,7 @@ enum class wallSums
     withShare3  //!< in three
 };
 
-template<wallSums kind>
+template<wallSums kind, int layers>
 LPF_ONE_BODY void wallOfParticle(
     const wallPass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -272,7 +272,8 @@ LPF_ONE_BODY void wallOfParticle(
             const pack d = x_iq & n;
             pack A = load(p.area + q);
             stdx::where(!(d > pack(-p.behind)), A) = 0;
-            const LayerSums<pack> s = layerSums(W, rSqr, d, p.layerDepth);
+            const LayerSums<pack> s =
+                layerSums<layers>(W, rSqr, d, p.layerDepth);
 
             addWall(
                 total, LayerSums<pack>{A * s.E, A * s.D}, n, load(p.mu + q)
@@ -291,8 +292,8 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
-template<wallSums kind>
-void wall(const wallPass& p)
+template<wallSums kind, int layers>
+void wallInLayers(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
 
@@ -303,10 +304,19 @@ void wall(const wallPass& p)
         {
             if (around.count > 0)
             {
-                wallOfParticle<kind>(p, W, around, i);
+                wallOfParticle<kind, layers>(p, W, around, i);
             }
         }
     );
+}
+
+//- Layers that a particle can see over the ground that it may come near to
+template<wallSums kind>
+void wall(const wallPass& p)
+{
+    constexpr double rounding = 1 + 1e-9;
+    const bool two = rounding * (2.5 * p.layerDepth + p.behind) >= 2 * p.h;
+    two ? wallInLayers<kind, 2>(p) : wallInLayers<kind, 3>(p);
 }
 
 void anyWall(const wallPass& p)

@@ -511,7 +511,8 @@ results wallsByElements(cloud& c)
             }
             if (d > -p.behind && rSqr < 4 * h * h)
             {
-                const auto s = lpfPairs::layerSums(W, rSqr, d, dx);
+                // the third layer is out of sight at h = 1.3 dx
+                const auto s = lpfPairs::layerSums<2>(W, rSqr, d, dx);
                 addWall(
                     sum,
                     lpfPairs::LayerSums<double>{
