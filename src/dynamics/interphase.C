@@ -24,7 +24,7 @@ constexpr scalar densest = 0.74;
 
 //- Grains with less water around than this share of what their pores could
 //  hold stand out of it in part
-constexpr scalar immersed = 0.7;
+constexpr scalar immersed = 0.5;
 
 //- Bulk volume of grains over the place they are in, from which they overlap
 constexpr scalar crowded = 1.1;
@@ -102,7 +102,7 @@ void interphase::resize(int n)
 
 // Each grain shares its volume out to the water around it, by volume of water:
 //     w_ka = O_a W_ka/SO_k,  O = m/max(rho_f, rho0/2),
-//     SO_k = max(sum_a O_a W_ka, 0.7 (1 - gam) (1 - phi_k))         (T 6.2)
+//     SO_k = max(sum_a O_a W_ka, (1 - gam) (1 - phi_k)/2)         (T 6.2)
 void interphase::seeWater()
 {
     const grainStore& grains = grains_.grains;
