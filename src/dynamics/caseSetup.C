@@ -652,7 +652,16 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
         dict, {"drag", "dragOperator", "pressureCoupling", "skeletonModulus"}
     );
     readChoice(dict, "dragOperator", {"adjoint"}, "adjoint");
-    readChoice(dict, "pressureCoupling", {"difference"}, "difference");
+    // difference is the word of older cases
+    if (readChoice(
+            dict, "pressureCoupling", {"adjoint", "difference"}, "adjoint"
+        )
+        == "difference")
+    {
+        Info << "pressureCoupling difference: computed as adjoint, which has "
+             << "replaced it and holds grains in water at rest exactly" << nl
+             << endl;
+    }
     flow_.law.reset(dragLaw::New(dict).ptr());
 
     bounds positive;

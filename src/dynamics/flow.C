@@ -98,8 +98,7 @@ timeStepLimit flow::stableDeltaT() const
     }
     if (coupling)
     {
-        const elasticity& e = rheology->elastic();
-        limit.take(coupling->stableDeltaT(CFL, e.K() + 4 * e.G() / 3));
+        limit.take(coupling->stableDeltaT(CFL, rheology->elastic().c()));
     }
     return limit;
 }

@@ -393,15 +393,13 @@ void interphase::distribute(
 }
 
 // Sound in the mixture
-//     c^2 = c0^2 (1 + xi_p rho_f/(theta rho_p)) + (K + 4 G/3)/rb_p  (T 6.10)
-timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeleton) const
+//     c^2 = c0^2 (1 + xi_p rho_f/(theta rho_p)) + c_p^2             (T 6.10)
+timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeletonSpeed) const
 {
     const scalar c0 = water_.state().c0(), theta = leastTheta_;
-    const scalar xi = max(scalar(1e-3), 1 - theta);
-    const scalar c = sqrt(
-        sqr(c0) * (1 + xi * water_.state().rho0() / (theta * grainDensity_))
-        + skeleton / (xi * grainDensity_)
-    );
+    const scalar share =
+        (1 - theta) * water_.state().rho0() / (theta * grainDensity_);
+    const scalar c = sqrt(sqr(c0) * (1 + share) + sqr(skeletonSpeed));
     const scalar h = min(grains_.scene().h, water_.scene().h);
     const scalar speed = max(grains_.maxSpeed(), water_.maxSpeed());
     return {CFL * h / (c + speed), "coupled sound"};

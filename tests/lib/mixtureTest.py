@@ -133,7 +133,187 @@ def slabs():
         return list(pool.map(slab, (8, 4, 2, 1)))
 
 
-KINDS = {"slab": slabs}
+# ---------------------------------------------------------------- pour
+
+def surface(case, time, area, layers=4):
+    """Level of the water: its uppermost particles fill a slab, whose volume,
+    grains included, and whose centre are known"""
+    x = case.field(time, "positions", "water")
+    m = case.field(time, "mass", "water")
+    full = case.field(time, "alpha", "water")  # water over bulk volume
+    top = sorted(range(len(x)), key=lambda i: -x[i][2])
+    top = top[: int(round(layers * area / DX ** 2))]
+    volume = sum(m[i] / (RHO_F * full[i]) for i in top)
+    return mean([x[i][2] for i in top]) + 0.5 * volume / area
+
+
+def pour():
+    side, depth = 8 * DX, 16 * DX
+    layers, phi = 16, 0.5
+    case = Case(os.path.abspath("case.pour"))
+    gap = 2 * DX
+    write(case, {
+        "zones": "floor { friction Coulomb; mu 0.5; } walls { friction none; }",
+        "ground": floor(0, side, 0, side)
+        + walls(0, side, 0, side, 0, 3 * depth),
+        "release": box(
+            "pool", (0, 0, 0), (side, side, depth), "water {}")
+        + box("grains", (DX, DX, depth + gap),
+              (side - DX, side - DX, depth + gap + layers * DX),
+              "grains { solidFraction %g; }" % phi),
+        "diameter": 0.002, "stress": "zero",
+        "maxSpeed": 1.5, "end": 2.5, "interval": 0.05,
+    })
+    run(case)
+    area = side * side
+    solid = phi * (side - 2 * DX) ** 2 * layers * DX
+    rise = solid / area
+    before = surface(case, "0", area)
+    lines = []
+    under, lie = [], []
+    for time in case.times():
+        z = [p[2] for p in case.field(time, "positions")]
+        level = surface(case, time, area)
+        if float(time) > 2:
+            lie.append(level)
+        elif max(z) < level - 0.5 * DX:
+            under.append(level)
+        print("# t %s level %.5f grains %.3f to %.3f" % (time, level, min(z), max(z)))
+    for levels, name in ((under[:8], "sink"), (lie, "lie")):
+        level = mean(levels)
+        error = (level - before) / rise - 1
+        lines.append((
+            abs(error) < 0.02,
+            "pour: level rises by %.2f mm while grains %s, Vs/A %.2f, off by "
+            "%+.3f (2 %%)"
+            % (1e3 * (level - before), name, 1e3 * rise, error),
+        ))
+    return lines
+
+
+# ---------------------------------------------------------------- level
+
+WET = "grains { solidFraction 0.5; } water { saturation 1; }"
+DRY = "grains { solidFraction 0.5; }"
+SIDE, BED = 8 * DX, 14 * DX
+
+
+def beds():
+    """Releases and the level at the end [m], porosity 0.5"""
+    half = BED / 2
+
+    def layer(name, z0, z1, content, x0=0.0, x1=SIDE):
+        return box(name, (x0, 0, z0), (x1, SIDE, z1), content)
+
+    step = 2 * DX
+    return {
+        "inside": (
+            layer("wet", 0, half, WET) + layer("dry", half, BED, DRY), half),
+        "step": (
+            layer("wetLeft", 0, half + step, WET, x1=SIDE / 2)
+            + layer("wetRight", 0, half - step, WET, x0=SIDE / 2)
+            + layer("dryLeft", half + step, BED, DRY, x1=SIDE / 2)
+            + layer("dryRight", half - step, BED, DRY, x0=SIDE / 2), half),
+        "drain": (
+            layer("dry", 0, half, DRY) + layer("wet", half, BED, WET), half),
+        "fill": (
+            layer("dry", 0, BED, DRY)
+            + layer("pool", BED, BED + 3 * DX, "water {}"), 6 * DX),
+    }
+
+
+def level(kind):
+    release, expected = beds()[kind]
+    case = Case(os.path.abspath("case.%s" % kind))
+    write(case, {
+        "zones": "floor { friction Coulomb; mu 0.5; } walls { friction none; }",
+        "ground": floor(0, SIDE, 0, SIDE)
+        + walls(0, SIDE, 0, SIDE, 0, 2 * BED),
+        "release": release, "diameter": 0.005,
+        "maxSpeed": 0.5, "end": 3, "interval": 0.1,
+    })
+    run(case)
+    late = [t for t in case.times() if float(t) > 2]
+    found = mean([surface(case, t, SIDE * SIDE, 2) for t in late])
+    highest = mean([
+        sorted(p[2] for p in case.field(t, "positions", "water"))[-1]
+        for t in late
+    ])
+    table = case.table()
+    scale = table["mass"][0] * G * BED
+    print("# %s: highest water %.4f m" % (kind, highest))
+    return [
+        (abs(found - expected) < DX,
+         "%s: level %.4f m, %.4f at equilibrium (one spacing)"
+         % (kind, found, expected)),
+        (max(table["left"]) == 0, "%s: nothing left the tank" % kind),
+        (abs(table["unexplained"][-1]) < 1e-3 * scale,
+         "%s: energy unexplained %.1e of m g H (1e-3)"
+         % (kind, table["unexplained"][-1] / scale)),
+    ]
+
+
+def levels():
+    with ThreadPoolExecutor(jobs()) as pool:
+        return sum(pool.map(level, beds()), [])
+
+
+# ---------------------------------------------------------------- alone
+
+def alone():
+    """Two tanks apart from each other, one of grains, one of water: all three
+    runs take the same steps, for maxDeltaT rules"""
+    side, depth, apart = 6 * DX, 8 * DX, 30 * DX
+    column = 3 * DX
+
+    def tank(name, x0):
+        text = floor(x0, x0 + side, 0, side) + walls(
+            x0, x0 + side, 0, side, 0, 2 * depth)
+        for word in ("floor", "left", "right", "front", "back"):
+            text = text.replace(word + " {", name + word + " {")
+        return text
+
+    ground = tank("a", 0) + tank("b", apart)
+    grains = box("column", (0, 0, 0), (column, side, depth), DRY)
+    water = box("dam", (apart, 0, 0), (apart + column, side, depth), "water {}")
+    fields = {}
+    for name, phases, release in (
+        ("both", "grains water", grains + water),
+        ("grains", "grains", grains),
+        ("water", "water", water),
+    ):
+        case = Case(os.path.abspath("case.alone." + name))
+        write(case, {
+            "zones": "floor { friction Coulomb; mu 0.5; } "
+                     "walls { friction none; }",
+            "ground": ground, "release": release,
+            "state": " TaitCoeffs { soundSpeed 20; }",
+            "maxSpeed": 1.5, "end": 0.1, "interval": 0.1,
+            "control": "maxDeltaT 2e-5;",
+        }, phases)
+        run(case)
+        last = case.times()[-1]
+        for cloud in ("grains", "water"):
+            if cloud in phases:
+                names = ["positions", "U", "id"]
+                names += ["sigma"] if cloud == "grains" else ["p", "rho"]
+                fields[name, cloud] = [
+                    case.field(last, n, cloud) for n in names
+                ]
+                fields[name, cloud, "speed"] = max(
+                    math.sqrt(sum(c * c for c in u))
+                    for u in fields[name, cloud][1]
+                )
+    return [
+        (fields["both", cloud] == fields[cloud, cloud]
+         and fields[cloud, cloud, "speed"] > 0.1,
+         "alone: %s have the same bits as without %s, largest speed %.2f m/s"
+         % (cloud, other, fields[cloud, cloud, "speed"]))
+        for cloud, other in (("grains", "water"), ("water", "grains"))
+    ]
+
+
+KINDS = {"slab": slabs, "pour": pour, "level": levels, "alone": alone}
 
 
 def main():
