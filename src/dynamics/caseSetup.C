@@ -494,7 +494,9 @@ word caseRun::readSolution()
 
 void caseRun::readWaterScheme(const dictionary& dict)
 {
-    allowOnly(dict, {"artificialViscosity", "densityDiffusion"});
+    allowOnly(
+        dict, {"artificialViscosity", "densityDiffusion", "densityRelaxation"}
+    );
     bounds alpha;
     alpha.lower = 0;
     alpha.upper = 1;
@@ -514,6 +516,18 @@ void caseRun::readWaterScheme(const dictionary& dict)
                    "is not stable; write 0.1";
     waterScheme_.densityDiffusion = readNumber(
         dict, "densityDiffusion", dimless, delta, waterScheme_.densityDiffusion
+    );
+    bounds kappa;
+    kappa.lower = 0;
+    kappa.upper = 0.01;
+    kappa.reason = "it draws the density to what the packing of the particles "
+                   "says; above 0.01 it makes noise; write 0.001";
+    waterScheme_.densityRelaxation = readNumber(
+        dict,
+        "densityRelaxation",
+        dimless,
+        kappa,
+        waterScheme_.densityRelaxation
     );
 }
 
@@ -766,6 +780,7 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << " m, " << waterScene_.dimensions << " dimensions" << nl
              << "Artificial viscosity " << waterScheme_.artificialViscosity
              << ", density diffusion " << waterScheme_.densityDiffusion
+             << ", density relaxation " << waterScheme_.densityRelaxation
              << ", CFL " << waterScheme_.CFL << nl;
     }
     if (flow_.coupling)

@@ -44,6 +44,12 @@ waterDynamics::waterDynamics(
           scene.spacing,
           scene.dimensions
       )),
+      surface_(scene.dimensions),
+      latticeFill_(lpfPairs::latticeFill(
+          lpfPairs::wendlandC2(scene.h, scene.dimensions),
+          scene.spacing,
+          scene.dimensions
+      )),
       water(withGrains)
 {
 }
@@ -129,6 +135,16 @@ void waterDynamics::divergence()
     {
         p.hydrostatic[d] = state_.rho0() * scene_.g[d] / sqr(state_.c0());
     }
+    if (scheme_.densityRelaxation > 0)
+    {
+        fill_.resize(water.size());
+        lpf::resize(gradFill_, water.size());
+        p.fill = fill_.data();
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            p.gradFill[c] = gradFill_[c].data();
+        }
+    }
     p.divergence = water.rate.data();
     p.curl = water.curl.data();
     p.diffusion = water.diffusion.data();
@@ -160,6 +176,43 @@ void waterDynamics::addGround()
     );
 }
 
+namespace
+{
+
+//- Share of a kernel that a lattice behind a plane would fill, from that of the
+//  solid, to 0.4 %
+scalar latticeShare(scalar gam)
+{
+    constexpr scalar excess = 0.02;
+    return gam - excess * gam / (gam + excess);
+}
+
+} // namespace
+
+// The density of particles that moved far drifts from how they are packed. It
+// goes back to that slowly: as a rate over h/c0
+//     kappa g(S) (S/S_lattice - 1),  S = sum V W + l(gam) + l(gam'),
+// g from 0 at S = 0.6 to 1 at 0.8, gam' beyond the free surface      (T 5.14)
+scalar waterDynamics::relaxation(int i) const
+{
+    constexpr scalar from = 0.6, to = 0.8;
+    vector gradient = at(gradFill_, i);
+    scalar gam = 0;
+    if (slot_[i] >= 0)
+    {
+        const auto slot = static_cast<std::size_t>(slot_[i]);
+        gradient -= toVector(near_[slot].areaNormal);
+        gam = max(scalar(0), walls_[slot].share);
+    }
+    const scalar ratio =
+        scene_.h * mag(gradient) / max(fill_[i] + gam, SMALL);
+    const scalar S = fill_[i] + latticeShare(gam)
+                   + latticeShare(surface_.beyond(ratio)); // (T 5.13)
+    const scalar g =
+        min(scalar(1), max(scalar(0), (S - from) / (to - from)));
+    return scheme_.densityRelaxation * g * (S / latticeFill_ - 1);
+}
+
 // rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
 // and Balsara's switch from div and curl,
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
@@ -176,7 +229,8 @@ void waterDynamics::correct(scalar dt)
     }
     const scalar diffusivity =
         scheme_.densityDiffusion * scene_.h * state_.c0();
-    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
+    const scalar perTime = state_.c0() / scene_.h, quiet = 1e-4 * perTime;
+    const bool relaxes = scheme_.densityRelaxation > 0;
     const scalar lowest = lowestDensity * state_.rho0();
 
     ledger.diffusion +=
@@ -188,8 +242,11 @@ void waterDynamics::correct(scalar dt)
                 const scalar div = mag(water.rate[i]);
                 const scalar rho =
                     max(lowest, water.rho[i] * (1 - half) / (1 + half));
-                water.rho[i] =
-                    max(lowest, rho + dt * diffusivity * water.diffusion[i]);
+                const scalar relaxed =
+                    relaxes ? rho * (1 + dt * perTime * relaxation(i)) : rho;
+                water.rho[i] = max(
+                    lowest, relaxed + dt * diffusivity * water.diffusion[i]
+                );
                 water.curl[i] = div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
@@ -429,7 +486,7 @@ scalar waterDynamics::storedEnergy(int i) const
 std::size_t waterDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + eta_.bytes();
+         + eta_.bytes() + fill_.bytes() + lpf::bytes(gradFill_);
 }
 
 } // namespace lpf

@@ -12,6 +12,7 @@ namespace lpfPairs
 namespace
 {
 
+template<bool withFill>
 LPF_ONE_BODY void continuityOfParticle(
     const waterContinuityPass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -21,6 +22,7 @@ LPF_ONE_BODY void continuityOfParticle(
     const double* H = p.hydrostatic;
     const Vec<pack> hydrostatic = {pack(H[0]), pack(H[1]), pack(H[2])};
     Continuity<pack> total = {};
+    Filling<pack> filling = {};
 
     overNeighbours(
         p,
@@ -31,6 +33,12 @@ LPF_ONE_BODY void continuityOfParticle(
         {
             const pack VF =
                 pack(p.scale) * load(p.V + j) * W.gradByDistance(rSqr);
+            if constexpr (withFill)
+            {
+                addFilling(
+                    filling, pack(load(p.V + j) * W.value(rSqr)), VF, x_ij
+                );
+            }
             addVelocityGradient(
                 total, VF, x_ij, v_i - loadVec(p.u, p.v, p.w, j)
             );
@@ -46,6 +54,27 @@ LPF_ONE_BODY void continuityOfParticle(
         sum(total.curl, 0), sum(total.curl, 1), sum(total.curl, 2)};
     p.curl[i] = squareRoot(magSqr(curl));
     p.diffusion[i] = sum(total.diffusion);
+    if constexpr (withFill)
+    {
+        p.fill[i] = sum(filling.fill);
+        for (int c = 0; c < 3; ++c)
+        {
+            p.gradFill[c][i] = sum(filling.gradient, c);
+        }
+    }
+}
+
+template<bool withFill>
+void continuity(const waterContinuityPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+
+    forParticles(
+        p.cells,
+        p.cells,
+        [&](const runs& around, int i)
+        { continuityOfParticle<withFill>(p, W, around, i); }
+    );
 }
 
 enum class friction
@@ -198,14 +227,7 @@ void force(const waterForcePass& p)
 
 void waterContinuity(const waterContinuityPass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-
-    forParticles(
-        p.cells,
-        p.cells,
-        [&](const runs& around, int i)
-        { continuityOfParticle(p, W, around, i); }
-    );
+    p.fill ? continuity<true>(p) : continuity<false>(p);
 }
 
 void waterForce(const waterForcePass& p)

@@ -9,6 +9,7 @@
 #include "pairTerms.H"
 #include "sampleCase.H"
 #include "sampleGrains.H"
+#include "waterTerms.H"
 #include "wendlandC2.H"
 
 #include <cstring>
@@ -537,6 +538,236 @@ results wallsByElements(cloud& c)
 }
 
 
+constexpr double rho0 = 1500;
+const Vec3 hydrostatic = {0.2, 0, -3};
+
+//- div, |curl|, diffusion, fill, grad fill of the cloud taken as water
+results waterContinuityOf(const cloud& c, const pairEngine* engine)
+{
+    results all(7, c.n);
+    if (engine)
+    {
+        lpfPairs::waterContinuityPass p;
+        c.fill(p);
+        p.u = c.u[0].data();
+        p.v = c.u[1].data();
+        p.w = c.u[2].data();
+        p.V = c.V.data();
+        p.rho = c.rho.data();
+        p.scale = 0.98;
+        p.rho0 = rho0;
+        p.hydrostatic[0] = hydrostatic.x;
+        p.hydrostatic[2] = hydrostatic.z;
+        p.divergence = all.column(0);
+        p.curl = all.column(1);
+        p.diffusion = all.column(2);
+        p.fill = all.column(3);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            p.gradFill[k] = all.column(4 + k);
+        }
+        engine->waterContinuity(p);
+        return all;
+    }
+    const wendlandC2 W(h, c.dimensions);
+    for (int i = 0; i < c.n; ++i)
+    {
+        lpfPairs::Continuity<double> sum = {};
+        lpfPairs::Filling<double> filling = {};
+        c.overPairs(
+            i,
+            [&](int j, const Vec3& x_ij)
+            {
+                const double rSqr = magSqr(x_ij);
+                const double VF = 0.98 * c.V[j] * W.gradByDistance(rSqr);
+                addVelocityGradient(
+                    sum, VF, x_ij, vec(at(c.u, i) - at(c.u, j))
+                );
+                addFilling(filling, c.V[j] * W.value(rSqr), VF, x_ij);
+                sum.diffusion += lpfPairs::densityDiffusion(
+                    VF, x_ij, c.rho[i], c.rho[j], rho0, hydrostatic
+                );
+            }
+        );
+        const double values[7] = {
+            sum.divergence,
+            std::sqrt(magSqr(sum.curl)),
+            sum.diffusion,
+            filling.fill,
+            filling.gradient.x,
+            filling.gradient.y,
+            filling.gradient.z};
+        for (std::size_t k = 0; k < 7; ++k)
+        {
+            all.column(k)[i] = values[k];
+        }
+    }
+    return all;
+}
+
+
+//- Pressure P = 10 rho, switch 0.1 m, eta from L
+struct waterValues
+{
+    realArray P, balsara, eta;
+
+    explicit waterValues(const cloud& c)
+    {
+        for (auto* f : {&P, &balsara, &eta})
+        {
+            f->resize(c.n);
+        }
+        for (int i = 0; i < c.n; ++i)
+        {
+            P[i] = 10 * c.rho[i];
+            balsara[i] = 0.5 + c.L[0][i] / 40;
+            eta[i] = 1 + std::abs(c.L[1][i]);
+        }
+    }
+};
+
+//- Which friction
+struct waterFriction
+{
+    const char* name;
+    double alpha;
+    bool viscous;
+};
+
+//- Pressure, friction, artificial and viscous power
+results waterForcesBy(
+    const pairEngine& engine, const cloud& c, const waterFriction& by
+)
+{
+    results all(8, c.n);
+    const waterValues values(c);
+    lpfPairs::waterForcePass p;
+    c.fill(p);
+    p.thickness = thickness;
+    p.scale = 0.98;
+    p.V = c.V.data();
+    p.m = c.m.data();
+    p.P = values.P.data();
+    p.ax = all.column(0);
+    p.ay = all.column(1);
+    p.az = all.column(2);
+    p.alpha = by.alpha;
+    p.soundSpeed = soundSpeed;
+    p.u = c.u[0].data();
+    p.v = c.u[1].data();
+    p.w = c.u[2].data();
+    p.rho = c.rho.data();
+    p.balsara = values.balsara.data();
+    p.eta = by.viscous ? values.eta.data() : nullptr;
+    p.bx = all.column(3);
+    p.by = all.column(4);
+    p.bz = all.column(5);
+    p.artificial = all.column(6);
+    p.viscous = all.column(7);
+    engine.waterForce(p);
+    return all;
+}
+
+results waterForcesByPairs(const cloud& c, const waterFriction& by)
+{
+    results all(8, c.n);
+    const waterValues w(c);
+    const wendlandC2 W(h, c.dimensions);
+    for (int i = 0; i < c.n; ++i)
+    {
+        const double volume = thickness * c.V[i];
+        Vec3 pressure = {}, friction = {};
+        double artificial = 0, viscous = 0;
+        c.overPairs(
+            i,
+            [&](int j, const Vec3& x)
+            {
+                const double rSqr = magSqr(x);
+                const double F = W.gradByDistance(rSqr);
+                const double VF = 0.98 * c.V[j] * F;
+                const Vec3 v = vec(at(c.u, i) - at(c.u, j));
+                lpfPairs::addPressureForce(pressure, VF, w.P[i], w.P[j], x);
+                const double Pi = lpfPairs::artificialViscosity(
+                    x,
+                    v,
+                    rSqr,
+                    0.5 * (w.balsara[i] + w.balsara[j]) * by.alpha * h
+                        * soundSpeed,
+                    h * h,
+                    0.5 * (c.rho[i] + c.rho[j])
+                );
+                const double mPiF = c.m[j] * Pi * F / thickness;
+                friction += -mPiF * x;
+                artificial += 0.5 * c.m[i] * mPiF * (v & x);
+                if (by.viscous)
+                {
+                    const double factor = lpfPairs::viscousFactor(
+                        c.V[j] * F,
+                        w.eta[i] + w.eta[j],
+                        c.dimensions + 2.0,
+                        x,
+                        v,
+                        rSqr,
+                        h * h
+                    );
+                    friction += (volume / c.m[i] * factor) * x;
+                    viscous += -0.5 * volume * factor * (v & x);
+                }
+            }
+        );
+        pressure = (volume / c.m[i]) * pressure;
+        const double values[8] = {
+            pressure.x,
+            pressure.y,
+            pressure.z,
+            friction.x,
+            friction.y,
+            friction.z,
+            artificial,
+            viscous};
+        for (std::size_t k = 0; k < 8; ++k)
+        {
+            all.column(k)[i] = values[k];
+        }
+    }
+    return all;
+}
+
+
+//- The first count components of A, smoothed
+results smoothedBy(const pairEngine* engine, const cloud& c, int count)
+{
+    results all(static_cast<std::size_t>(count), c.n);
+    const wendlandC2 W(h, c.dimensions);
+    lpfPairs::smoothPass p = {};
+    p.home = p.others = c.cells.grid;
+    p.h = h;
+    p.dimensions = c.dimensions;
+    p.x = p.X = c.x[0].data();
+    p.y = p.Y = c.x[1].data();
+    p.z = p.Z = c.x[2].data();
+    p.count = count;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+    {
+        p.q[k] = c.A[k].data();
+        p.out[k] = all.column(k);
+        for (int i = 0; !engine && i < c.n; ++i)
+        {
+            c.overPairs(
+                i,
+                [&](int j, const Vec3& x)
+                { p.out[k][i] += c.A[k][j] * W.value(magSqr(x)); }
+            );
+        }
+    }
+    if (engine)
+    {
+        engine->smooth(p);
+    }
+    return all;
+}
+
+
 template<class Test>
 void forScenes(const Test& test)
 {
@@ -620,6 +851,78 @@ TEST_CASE("pair engines: ground of every instruction set")
                 CHECK(expected.apart(got, 19, 20) < 1e-13);
                 CHECK(expected.apart(got, 20, 21) < 1e-13);
                 CHECK(expected.apart(got, 21, 25) == 0);
+            }
+        }
+    );
+}
+
+
+TEST_CASE("pair engines: water of every instruction set")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            const results expected = waterContinuityOf(c, nullptr);
+            for (const pairEngine* engine : all)
+            {
+                INFO(engine->instructionSet);
+                const results got = waterContinuityOf(c, engine);
+                for (std::size_t k = 0; k < 4; ++k)
+                {
+                    CHECK(expected.apart(got, k, k + 1) < 1e-13);
+                }
+                CHECK(expected.apart(got, 4, 7) < 1e-13);
+            }
+            for (const waterFriction& by :
+                 {waterFriction{"none", 0, false},
+                  waterFriction{"artificial", 0.03, false},
+                  waterFriction{"viscous", 0, true},
+                  waterFriction{"both", 0.03, true}})
+            {
+                const results forces = waterForcesByPairs(c, by);
+                for (const pairEngine* engine : all)
+                {
+                    INFO(engine->instructionSet << ", friction " << by.name);
+                    const results got = waterForcesBy(*engine, c, by);
+                    CHECK(forces.apart(got, 0, 3) < 1e-13);
+                    if (by.alpha > 0 || by.viscous)
+                    {
+                        CHECK(forces.apart(got, 3, 6) < 1e-13);
+                    }
+                    if (by.alpha > 0)
+                    {
+                        CHECK(forces.apart(got, 6, 7) < 1e-13);
+                    }
+                    if (by.viscous)
+                    {
+                        CHECK(forces.apart(got, 7, 8) < 1e-13);
+                    }
+                }
+            }
+        }
+    );
+}
+
+
+TEST_CASE("pair engines: smoothing of every instruction set")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            for (const int count : {1, 3, 5, 7})
+            {
+                const results expected = smoothedBy(nullptr, c, count);
+                for (const pairEngine* engine : all)
+                {
+                    INFO(engine->instructionSet << ", " << count);
+                    const results got = smoothedBy(engine, c, count);
+                    CHECK(
+                        expected.apart(got, 0, static_cast<std::size_t>(count))
+                        < 1e-13
+                    );
+                }
             }
         }
     );

@@ -7,6 +7,8 @@
 #include "momentInverse.H"
 #include "pairTerms.H"
 #include "sampleGrains.H"
+#include "latticeSums.H"
+#include "surfaceShare.H"
 #include "wendlandC2.H"
 
 #include <cmath>
@@ -398,4 +400,41 @@ TEST_CASE("momentInverse: the inverse where there are neighbours, at most 2")
     }
     const tensor alone = toFoam(momentInverse(Symm{}));
     CHECK(largest(alone - 2 * tensor::I) == 0);
+}
+
+
+TEST_CASE("surfaceShare: a plane free surface from what lies below it")
+{
+    const double h = 0.13, dx = 0.1;
+    for (const int dimensions : {2, 3})
+    {
+        const lpfPairs::wendlandC2 W(h, dimensions);
+        const lpfPairs::surfaceShare surface(dimensions);
+        const double volume = dimensions == 3 ? dx * dx * dx : dx * dx;
+        const double full = lpfPairs::latticeFill(W, dx, dimensions);
+        // rows of a lattice below the surface, then deep in it
+        for (int row = 0; row < 5; ++row)
+        {
+            double fill = 0, gradient = 0;
+            const int n = 3, nz = dimensions == 3 ? n : 0;
+            for (int i = -n; i <= n; ++i)
+            {
+                for (int k = -nz; k <= nz; ++k)
+                {
+                    for (int j = -n; j <= row; ++j)
+                    {
+                        const double rSqr = dx * dx * (i * i + j * j + k * k);
+                        fill += volume * W.value(rSqr);
+                        gradient += volume * W.gradByDistance(rSqr) * j * dx;
+                    }
+                }
+            }
+            const double gam = surface.beyond(h * std::abs(gradient) / fill);
+            const double S = fill + gam - 0.02 * gam / (gam + 0.02);
+            INFO("dimensions " << dimensions << " row " << row);
+            CHECK(S == Approx(full).epsilon(0.01));
+        }
+        CHECK(surface.beyond(0) == 0);
+        CHECK(surface.beyond(100) == Approx(0.5).epsilon(1e-3));
+    }
 }
