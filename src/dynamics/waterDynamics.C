@@ -190,12 +190,13 @@ scalar latticeShare(scalar gam)
 } // namespace
 
 // The density of particles that moved far drifts from how they are packed. It
-// goes back to that slowly: as a rate over h/c0
-//     kappa g(S) (S/S_lattice - 1),  S = sum V W + l(gam) + l(gam'),
+// goes back to that slowly, faster where the flow deforms: a rate [1/s] of
+//     kappa (c0/h + 100 (|div| + |curl|)) g(S) (S/S_lattice - 1),
+//     S = sum V W + l(gam) + l(gam'),
 // g from 0 at S = 0.6 to 1 at 0.8, gam' beyond the free surface      (T 5.14)
 scalar waterDynamics::relaxation(int i) const
 {
-    constexpr scalar from = 0.6, to = 0.8;
+    constexpr scalar from = 0.6, to = 0.8, byDeformation = 100;
     vector gradient = at(gradFill_, i);
     scalar gam = 0;
     if (slot_[i] >= 0)
@@ -210,7 +211,9 @@ scalar waterDynamics::relaxation(int i) const
                    + latticeShare(surface_.beyond(ratio)); // (T 5.13)
     const scalar g =
         min(scalar(1), max(scalar(0), (S - from) / (to - from)));
-    return scheme_.densityRelaxation * g * (S / latticeFill_ - 1);
+    const scalar rate = state_.c0() / scene_.h
+                      + byDeformation * (mag(water.rate[i]) + water.curl[i]);
+    return scheme_.densityRelaxation * rate * g * (S / latticeFill_ - 1);
 }
 
 // rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
@@ -229,7 +232,7 @@ void waterDynamics::correct(scalar dt)
     }
     const scalar diffusivity =
         scheme_.densityDiffusion * scene_.h * state_.c0();
-    const scalar perTime = state_.c0() / scene_.h, quiet = 1e-4 * perTime;
+    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
     const bool relaxes = scheme_.densityRelaxation > 0;
     const scalar lowest = lowestDensity * state_.rho0();
 
@@ -243,7 +246,7 @@ void waterDynamics::correct(scalar dt)
                 const scalar rho =
                     max(lowest, water.rho[i] * (1 - half) / (1 + half));
                 const scalar relaxed =
-                    relaxes ? rho * (1 + dt * perTime * relaxation(i)) : rho;
+                    relaxes ? rho * (1 + dt * relaxation(i)) : rho;
                 water.rho[i] = max(
                     lowest, relaxed + dt * diffusivity * water.diffusion[i]
                 );

@@ -5,17 +5,18 @@
 slab      a saturated layer that slides on a rough plane between cyclic planes:
           a = g (sin th - mu (1 - rho_f/rho_m) cos th), 2 % at 8 layers; at 1, 2
           and 4 layers the error is printed
-settling  grains of 1 to 60 % sink through water in a tank: their slip is that
-          of the drag law for that fraction, 3 %, and no two of them pair
 pour      grains fall into a tank of water: its level rises by Vs/A, 2 %, while
           they sink and when they lie; density by rate and by sum agree
 level     water fills the lower half of a bed, all of it at the same height, or
           higher on one side: it comes to rest within one spacing
 alone     each phase moves as if the other did not exist where it is far away
-Usage: test slab|settling|pour|level|alone
+Usage: test slab|pour|level|alone
+
+Settling and Ergun: tests/unit/interphaseTest.C.
 """
 import math
 import os
+import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
@@ -178,7 +179,6 @@ def pour():
             lie.append(level)
         elif max(z) < level - 0.5 * DX:
             under.append(level)
-        print("# t %s level %.5f grains %.3f to %.3f" % (time, level, min(z), max(z)))
     for levels, name in ((under[:8], "sink"), (lie, "lie")):
         level = mean(levels)
         error = (level - before) / rise - 1
@@ -260,6 +260,11 @@ def levels():
 
 # ---------------------------------------------------------------- alone
 
+# scene, passes over pairs and over the ground a step, bytes a particle: 144 of
+# each phase, all of them beside the ground, whose sums are a third of it
+COST = (("grains", 2, 1, 690), ("water", 2, 1, 570), ("both", 11, 2, 820))
+
+
 def alone():
     """Two tanks apart from each other, one of grains, one of water: all three
     runs take the same steps, for maxDeltaT rules"""
@@ -304,7 +309,19 @@ def alone():
                     math.sqrt(sum(c * c for c in u))
                     for u in fields[name, cloud][1]
                 )
-    return [
+        memory = re.search(
+            r"(\S+) bytes a particle; (\d+) pair passes and (\d+) ground pass",
+            case.log("lpfSolver"),
+        )
+        fields[name] = [float(v) for v in memory.groups()]
+    lines = [
+        (fields[name][1:] == [float(p), float(w)] and fields[name][0] < most,
+         "alone: %s: %d pair passes (%d), %d of the ground (%d), %.0f bytes a "
+         "particle (%d)"
+         % ((name, fields[name][1], p, fields[name][2], w, fields[name][0], most)))
+        for name, p, w, most in COST
+    ]
+    return lines + [
         (fields["both", cloud] == fields[cloud, cloud]
          and fields[cloud, cloud, "speed"] > 0.1,
          "alone: %s have the same bits as without %s, largest speed %.2f m/s"
