@@ -175,11 +175,10 @@ void interphase::porosity()
     p.out[4] = crowding_.data();
     engine_.smooth(p);
 
-    leastTheta_ =
-        1
-        - lpfPairs::largest(
-            water.size(), [&](int a) { return 1 - takeShares(a); }
-        );
+    leastTheta_ = 1
+                - lpfPairs::largest(
+                      water.size(), [&](int a) { return 1 - takeShares(a); }
+                );
 }
 
 // The grains feel the pressure force that the water around them feels:
@@ -407,8 +406,9 @@ timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeletonSpeed) const
 
 std::size_t interphase::bytes() const
 {
-    return Vs_.bytes() + around_.bytes() + crowding_.bytes() + lpf::bytes(fromWater_)
-         + lpf::bytes(fromGrains_) + lpf::bytes(carried_);
+    return Vs_.bytes() + around_.bytes() + crowding_.bytes()
+         + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
+         + lpf::bytes(carried_);
 }
 
 } // namespace lpf

@@ -205,12 +205,10 @@ scalar waterDynamics::relaxation(int i) const
         gradient -= toVector(near_[slot].areaNormal);
         gam = max(scalar(0), walls_[slot].share);
     }
-    const scalar ratio =
-        scene_.h * mag(gradient) / max(fill_[i] + gam, SMALL);
+    const scalar ratio = scene_.h * mag(gradient) / max(fill_[i] + gam, SMALL);
     const scalar S = fill_[i] + latticeShare(gam)
                    + latticeShare(surface_.beyond(ratio)); // (T 5.13)
-    const scalar g =
-        min(scalar(1), max(scalar(0), (S - from) / (to - from)));
+    const scalar g = min(scalar(1), max(scalar(0), (S - from) / (to - from)));
     const scalar rate = state_.c0() / scene_.h
                       + byDeformation * (mag(water.rate[i]) + water.curl[i]);
     return scheme_.densityRelaxation * rate * g * (S / latticeFill_ - 1);
@@ -247,9 +245,9 @@ void waterDynamics::correct(scalar dt)
                     max(lowest, water.rho[i] * (1 - half) / (1 + half));
                 const scalar relaxed =
                     relaxes ? rho * (1 + dt * relaxation(i)) : rho;
-                water.rho[i] = max(
-                    lowest, relaxed + dt * diffusivity * water.diffusion[i]
-                );
+                water.rho[i] =
+                    max(lowest,
+                        relaxed + dt * diffusivity * water.diffusion[i]);
                 water.curl[i] = div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
@@ -418,9 +416,8 @@ struct kickSums
 } // namespace
 
 // Flux of the volume over a kick, the part of the grains as before it
-vector waterDynamics::meanFlux(
-    int i, const vector& before, const vector& after
-) const
+vector
+waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
 {
     const vector half = 0.5 * (after - before);
     return withGrains_ ? vector(at(water.flux, i) + water.theta[i] * half)
@@ -443,8 +440,7 @@ void waterDynamics::kick(scalar dt)
                     near_[static_cast<std::size_t>(slot_[i])];
                 s.wall = near.force * dt;
                 s.wallNormal = mag(near.force) * dt;
-                s.correction =
-                    -dt * (near.correction & meanFlux(i, before, U));
+                s.correction = -dt * (near.correction & meanFlux(i, before, U));
             }
             set(water.U, i, U);
             return s;

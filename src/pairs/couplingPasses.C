@@ -46,8 +46,7 @@ void smoothAll(const smoothPass& p)
     forParticles(
         p.home,
         p.others,
-        [&](const runs& around, int i)
-        { smoothAtParticle<n>(p, W, around, i); }
+        [&](const runs& around, int i) { smoothAtParticle<n>(p, W, around, i); }
     );
 }
 

@@ -123,16 +123,9 @@ struct box
         water.reset(new waterDynamics(
             engine, scene, scheme, *state, *viscosity, contact, true
         ));
-        coupling.reset(
-            new interphase(
-                engine,
-                *grains,
-                *water,
-                law ? *law : linear,
-                rhoGrain,
-                diameter
-            )
-        );
+        coupling.reset(new interphase(
+            engine, *grains, *water, law ? *law : linear, rhoGrain, diameter
+        ));
         fill(grains->grains, jitter, solid * rhoGrain);
         fill(water->water, jitter, (1 - solid) * rhoWater);
         grainStore& g = grains->grains;
@@ -422,8 +415,8 @@ double betaOf(double xi, double u)
     const double Re = xf * rhoWater * u * diameter / mu;
     const double Cd =
         Re < 1000 ? 24 / Re * (1 + 0.15 * std::pow(Re, 0.687)) : 0.44;
-    const double wenYu = 0.75 * Cd * xi * xf * rhoWater * u / diameter
-                       * std::pow(xf, -2.65);
+    const double wenYu =
+        0.75 * Cd * xi * xf * rhoWater * u / diameter * std::pow(xf, -2.65);
     const double ergun = 150 * sqr(xi) * mu / (xf * sqr(diameter))
                        + 1.75 * xi * rhoWater * u / diameter;
     const double phi = std::atan(150 * 1.75 * (0.2 - xi)) / M_PI + 0.5;
@@ -579,8 +572,10 @@ TEST_CASE("hindered settling: the slip of the law, no pairs of grains")
             slip += k >= late ? b.slip().z() / (steps - late) : 0;
         }
         const double nearest = nearestPair(b.grains->grains);
-        INFO("xi " << xi << " slip/law " << slip / exact << " nearest "
-                   << nearest);
+        INFO(
+            "xi " << xi << " slip/law " << slip / exact << " nearest "
+                  << nearest
+        );
         CHECK(slip == Approx(exact).epsilon(0.03));
         CHECK(nearest > 0.5);
     }

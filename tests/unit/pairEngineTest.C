@@ -635,9 +635,8 @@ struct waterFriction
 };
 
 //- Pressure, friction, artificial and viscous power
-results waterForcesBy(
-    const pairEngine& engine, const cloud& c, const waterFriction& by
-)
+results
+waterForcesBy(const pairEngine& engine, const cloud& c, const waterFriction& by)
 {
     results all(8, c.n);
     const waterValues values(c);
