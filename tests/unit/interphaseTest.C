@@ -117,6 +117,7 @@ struct box
         waterScheme scheme;
         scheme.artificialViscosity = 0;
         scheme.densityDiffusion = 0;
+        scheme.densityRelaxation = 0;
         grains.reset(
             new grainDynamics(engine, scene, {}, rheology, contact, true)
         );
