@@ -667,6 +667,53 @@ waterForcesBy(const pairEngine& engine, const cloud& c, const waterFriction& by)
     return all;
 }
 
+//- What one pair adds to the friction on i and to the powers lost there
+struct frictionOfPair
+{
+    Vec3 acceleration;
+    double artificial, viscous;
+};
+
+frictionOfPair frictionBy(
+    const cloud& c,
+    const waterValues& w,
+    const waterFriction& by,
+    int i,
+    int j,
+    const Vec3& x
+)
+{
+    const double rSqr = magSqr(x);
+    const double F = wendlandC2(h, c.dimensions).gradByDistance(rSqr);
+    const Vec3 v = vec(at(c.u, i) - at(c.u, j));
+    const double Pi = lpfPairs::artificialViscosity(
+        x,
+        v,
+        rSqr,
+        0.5 * (w.balsara[i] + w.balsara[j]) * by.alpha * h * soundSpeed,
+        h * h,
+        0.5 * (c.rho[i] + c.rho[j])
+    );
+    const double mPiF = c.m[j] * Pi * F / thickness;
+    frictionOfPair all = {(-mPiF) * x, 0.5 * c.m[i] * mPiF * (v & x), 0};
+    if (by.viscous)
+    {
+        const double volume = thickness * c.V[i];
+        const double factor = lpfPairs::viscousFactor(
+            c.V[j] * F,
+            w.eta[i] + w.eta[j],
+            c.dimensions + 2.0,
+            x,
+            v,
+            rSqr,
+            h * h
+        );
+        all.acceleration += (volume / c.m[i] * factor) * x;
+        all.viscous = -0.5 * volume * factor * (v & x);
+    }
+    return all;
+}
+
 results waterForcesByPairs(const cloud& c, const waterFriction& by)
 {
     results all(8, c.n);
@@ -674,56 +721,30 @@ results waterForcesByPairs(const cloud& c, const waterFriction& by)
     const wendlandC2 W(h, c.dimensions);
     for (int i = 0; i < c.n; ++i)
     {
-        const double volume = thickness * c.V[i];
-        Vec3 pressure = {}, friction = {};
-        double artificial = 0, viscous = 0;
+        Vec3 pressure = {};
+        frictionOfPair total = {};
         c.overPairs(
             i,
             [&](int j, const Vec3& x)
             {
-                const double rSqr = magSqr(x);
-                const double F = W.gradByDistance(rSqr);
-                const double VF = 0.98 * c.V[j] * F;
-                const Vec3 v = vec(at(c.u, i) - at(c.u, j));
+                const double VF = 0.98 * c.V[j] * W.gradByDistance(magSqr(x));
                 lpfPairs::addPressureForce(pressure, VF, w.P[i], w.P[j], x);
-                const double Pi = lpfPairs::artificialViscosity(
-                    x,
-                    v,
-                    rSqr,
-                    0.5 * (w.balsara[i] + w.balsara[j]) * by.alpha * h
-                        * soundSpeed,
-                    h * h,
-                    0.5 * (c.rho[i] + c.rho[j])
-                );
-                const double mPiF = c.m[j] * Pi * F / thickness;
-                friction += -mPiF * x;
-                artificial += 0.5 * c.m[i] * mPiF * (v & x);
-                if (by.viscous)
-                {
-                    const double factor = lpfPairs::viscousFactor(
-                        c.V[j] * F,
-                        w.eta[i] + w.eta[j],
-                        c.dimensions + 2.0,
-                        x,
-                        v,
-                        rSqr,
-                        h * h
-                    );
-                    friction += (volume / c.m[i] * factor) * x;
-                    viscous += -0.5 * volume * factor * (v & x);
-                }
+                const frictionOfPair ij = frictionBy(c, w, by, i, j, x);
+                total.acceleration += ij.acceleration;
+                total.artificial += ij.artificial;
+                total.viscous += ij.viscous;
             }
         );
-        pressure = (volume / c.m[i]) * pressure;
+        pressure = (thickness * c.V[i] / c.m[i]) * pressure;
         const double values[8] = {
             pressure.x,
             pressure.y,
             pressure.z,
-            friction.x,
-            friction.y,
-            friction.z,
-            artificial,
-            viscous};
+            total.acceleration.x,
+            total.acceleration.y,
+            total.acceleration.z,
+            total.artificial,
+            total.viscous};
         for (std::size_t k = 0; k < 8; ++k)
         {
             all.column(k)[i] = values[k];

@@ -403,6 +403,34 @@ TEST_CASE("momentInverse: the inverse where there are neighbours, at most 2")
 }
 
 
+namespace
+{
+
+//- sum V W and |sum V gradW| of a lattice that ends so many rows above
+std::pair<double, double>
+fillBelow(const lpfPairs::wendlandC2& W, double dx, int dimensions, int rows)
+{
+    const int n = 3, nz = dimensions == 3 ? n : 0;
+    double fill = 0, gradient = 0;
+    for (int i = -n; i <= n; ++i)
+    {
+        for (int k = -nz; k <= nz; ++k)
+        {
+            for (int j = -n; j <= rows; ++j)
+            {
+                const double rSqr = dx * dx * (i * i + j * j + k * k);
+                fill += W.value(rSqr);
+                gradient += W.gradByDistance(rSqr) * j * dx;
+            }
+        }
+    }
+    const double volume = dimensions == 3 ? dx * dx * dx : dx * dx;
+    return {volume * fill, volume * std::abs(gradient)};
+}
+
+} // namespace
+
+
 TEST_CASE("surfaceShare: a plane free surface from what lies below it")
 {
     const double h = 0.13, dx = 0.1;
@@ -410,28 +438,14 @@ TEST_CASE("surfaceShare: a plane free surface from what lies below it")
     {
         const lpfPairs::wendlandC2 W(h, dimensions);
         const lpfPairs::surfaceShare surface(dimensions);
-        const double volume = dimensions == 3 ? dx * dx * dx : dx * dx;
         const double full = lpfPairs::latticeFill(W, dx, dimensions);
         // rows of a lattice below the surface, then deep in it
-        for (int row = 0; row < 5; ++row)
+        for (int rows = 0; rows < 5; ++rows)
         {
-            double fill = 0, gradient = 0;
-            const int n = 3, nz = dimensions == 3 ? n : 0;
-            for (int i = -n; i <= n; ++i)
-            {
-                for (int k = -nz; k <= nz; ++k)
-                {
-                    for (int j = -n; j <= row; ++j)
-                    {
-                        const double rSqr = dx * dx * (i * i + j * j + k * k);
-                        fill += volume * W.value(rSqr);
-                        gradient += volume * W.gradByDistance(rSqr) * j * dx;
-                    }
-                }
-            }
-            const double gam = surface.beyond(h * std::abs(gradient) / fill);
-            const double S = fill + gam - 0.02 * gam / (gam + 0.02);
-            INFO("dimensions " << dimensions << " row " << row);
+            const auto below = fillBelow(W, dx, dimensions, rows);
+            const double gam = surface.beyond(h * below.second / below.first);
+            const double S = below.first + gam - 0.02 * gam / (gam + 0.02);
+            INFO("dimensions " << dimensions << " rows " << rows);
             CHECK(S == Approx(full).epsilon(0.01));
         }
         CHECK(surface.beyond(0) == 0);
