@@ -361,6 +361,38 @@ refuseParsed(const std::string& message, const fileName& file, const label line)
     std::exit(1); // not reached; exit() above is not declared noreturn
 }
 
+
+//- The tokens between the brackets of a list, all of which are isGood
+List<token> listTokens(
+    const dictionary& dict,
+    const word& key,
+    const char* what,
+    const string& remedy,
+    bool (token::*isGood)() const
+)
+{
+    const entry& e = found(dict, key, "it as a list: " + remedy);
+    const ITstream& is = e.stream();
+    List<token> tokens(max(label(0), is.size() - 2));
+    bool good = is.size() > 1 && is[0] == token::BEGIN_LIST
+             && is[is.size() - 1] == token::END_LIST;
+    forAll (tokens, k)
+    {
+        tokens[k] = is[k + 1];
+        good = good && (tokens[k].*isGood)();
+    }
+    if (!good)
+    {
+        lpf::refuse(
+            dict,
+            key,
+            key + " = " + written(e) + " is no list of " + what + " in (); "
+                + remedy
+        );
+    }
+    return tokens;
+}
+
 } // namespace
 
 
@@ -647,25 +679,27 @@ Foam::wordList Foam::lpf::readWords(
     const dictionary& dict, const word& key, const string& remedy
 )
 {
-    const entry& e = found(dict, key, "it as a list: " + remedy);
-    const ITstream& is = e.stream();
     wordList words;
-    bool good = is.size() > 1 && is[0] == token::BEGIN_LIST
-             && is[is.size() - 1] == token::END_LIST;
-    for (label k = 1; good && k + 1 < is.size(); ++k)
+    for (const token& t :
+         listTokens(dict, key, "words", remedy, &token::isWord))
     {
-        good = is[k].isWord();
-        words.append(good ? is[k].wordToken() : word());
-    }
-    if (!good)
-    {
-        refuse(
-            dict,
-            key,
-            key + " = " + written(e) + " is no list of words in (); " + remedy
-        );
+        words.append(t.wordToken());
     }
     return words;
+}
+
+
+Foam::List<Foam::scalar> Foam::lpf::readNumbers(
+    const dictionary& dict, const word& key, const string& remedy
+)
+{
+    List<scalar> numbers;
+    for (const token& t :
+         listTokens(dict, key, "numbers", remedy, &token::isNumber))
+    {
+        numbers.append(t.number());
+    }
+    return numbers;
 }
 
 

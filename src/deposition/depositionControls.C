@@ -17,6 +17,9 @@ namespace
 // More cells than this do not fit on a screen, on paper or in a report
 constexpr scalar mostCells = 5e7;
 
+// Of the series; more panels than this make a picture that nothing shows whole
+constexpr label mostTimes = 12;
+
 
 bounds above(const scalar lower, const char* reason)
 {
@@ -144,6 +147,39 @@ void readMap(
 }
 
 
+void readSeries(const dictionary& dict, depositionControls& controls)
+{
+    allowOnly(dict, {"times"});
+    scalarList times(readNumbers(
+        dict, "times", "write written times [s], as in times (0.5 1 2);"
+    ));
+    if (times.empty() || times.size() > mostTimes)
+    {
+        refuse(
+            dict,
+            "times",
+            "times has " + Foam::name(times.size())
+                + " times; each is a panel of series.png: write 1 to "
+                + Foam::name(mostTimes) + " of them"
+        );
+    }
+    for (label k = 1; k < times.size(); ++k)
+    {
+        if (!(times[k] > times[k - 1]))
+        {
+            refuse(
+                dict,
+                "times",
+                "times: " + Foam::name(times[k]) + " s stands after "
+                    + Foam::name(times[k - 1])
+                    + " s; write each time once, from early to late"
+            );
+        }
+    }
+    controls.seriesTimes.transfer(times);
+}
+
+
 void readLines(const dictionary& dict, depositionControls& controls)
 {
     const dictionary& paths = subOrEmpty(dict, "paths");
@@ -186,7 +222,8 @@ depositionControls readDepositionControls(
          "outline",
          "paths",
          "observed",
-         "map"}
+         "map",
+         "series"}
     );
     depositionControls controls;
     if (dict.found("clouds"))
@@ -214,6 +251,10 @@ depositionControls readDepositionControls(
     readOutline(subOrEmpty(dict, "outline"), controls);
     readMap(subOrEmpty(dict, "map"), caseName, controls);
 
+    if (const dictionary* series = optionalDictionary(dict, "series"))
+    {
+        readSeries(*series, controls);
+    }
     readLines(dict, controls);
     return controls;
 }

@@ -83,6 +83,31 @@ TEST_CASE("mapImage: blues get darker all the way")
 }
 
 
+TEST_CASE("plotImage: vectors that are all zero, one far larger than others")
+{
+    const fileName folder = "plotImageTest." + Foam::name(pid());
+    mkDir(folder);
+    plotContent plot;
+    plot.xTitle = "x [m]";
+    plot.panels.resize(2);
+    for (plotPanel& panel : plot.panels)
+    {
+        panel.isSection = true;
+        panel.title = "section";
+        panel.vectors.resize(1);
+        panel.vectors[0].at = pointField(30, point(1000, 2000, 0));
+        panel.vectors[0].vectors = vectorField(30, vector::zero);
+    }
+    plot.panels[1].vectors[0].at[29] = point(1010, 2005, 0);
+    plot.panels[1].vectors[0].vectors = vector(1, 1, 5);
+    plot.panels[1].vectors[0].vectors[29] = vector(1e6, 0, 0);
+    writePlot(folder / "vectors.png", plot, 1500);
+    CHECK(pngSize(folder / "vectors.png").first == 1500);
+    CHECK(pngSize(folder / "vectors.png").second < 3000);
+    rmDir(folder);
+}
+
+
 TEST_CASE("mapImage, plotImage: write pictures without a display")
 {
     const fileName folder = "mapImageTest." + Foam::name(pid());
@@ -109,6 +134,21 @@ TEST_CASE("mapImage, plotImage: write pictures without a display")
     writeMap(folder / "map.png", map, 1200);
     CHECK(pngSize(folder / "map.png").first >= 900);
     CHECK(pngSize(folder / "map.png").second >= 600);
+
+    // Each panel of a series is as high as the others
+    map.lines.append({"path", {pointField({{1.49e6, 5.2e6, 0}})}, {}});
+    List<mapPanel> panels(1);
+    panels[0] = {"t = 1 s", {{"grains", {}, {}, false}}};
+    unsigned height[3];
+    for (unsigned& h : height)
+    {
+        writeMapSeries(folder / "series.png", map, panels, 1200);
+        CHECK(pngSize(folder / "series.png").first >= 1000);
+        h = pngSize(folder / "series.png").second;
+        panels.append(mapPanel(panels[0]));
+    }
+    CHECK(height[1] > height[0] + 500);
+    CHECK(mag(int(height[2] - 2 * height[1] + height[0])) < 3);
 
     // Nothing deposited, ground level
     map.ground = 0;

@@ -31,6 +31,7 @@ caseSampler::caseSampler(
       bed_(ground::read(caseDir))
 {
     findTimes(all, selected);
+    findSeries();
     findClouds();
     grid_ =
         sampleGrid(dict_, controls_, scales_, particleBox(), bed_->origin());
@@ -60,15 +61,20 @@ void caseSampler::findTimes(const instantList& all, const instantList& selected)
     const auto hasClouds = [&](const instant& t)
     { return isDir(caseDir_ / t.name() / "lagrangian"); };
 
-    DynamicList<instant> found;
-    for (const instant& t : selected)
+    const auto withClouds = [&](const instantList& list)
     {
-        if (hasClouds(t))
+        DynamicList<instant> found;
+        for (const instant& t : list)
         {
-            found.append(t);
+            if (hasClouds(t))
+            {
+                found.append(t);
+            }
         }
-    }
-    times_.transfer(found);
+        return instantList(std::move(found));
+    };
+    times_ = withClouds(selected);
+    written_ = withClouds(all);
     if (times_.empty())
     {
         FatalErrorInFunction
@@ -77,14 +83,64 @@ void caseSampler::findTimes(const instantList& all, const instantList& selected)
             << "Run terrainToParticles and lpfSolver first, or select other "
             << "times." << exit(FatalError);
     }
-    for (const instant& t : all)
+    releaseDir_ = caseDir_ / written_.first().name();
+}
+
+
+const instant& caseSampler::writtenAt(const scalar time) const
+{
+    // What a number loses between text and binary
+    const scalar same = 1e-9 * max(scalar(1), mag(time));
+    label next = 0;
+    while (next < written_.size() && written_[next].value() < time - same)
     {
-        if (hasClouds(t))
+        ++next;
+    }
+    if (next < written_.size() && written_[next].value() <= time + same)
+    {
+        return written_[next];
+    }
+    string nearest;
+    if (next > 0)
+    {
+        nearest = written_[next - 1].name();
+    }
+    if (next < written_.size())
+    {
+        nearest += (next > 0 ? " and " : "") + written_[next].name();
+    }
+    refuse(
+        dict_.subDict("series"),
+        "times",
+        "times: " + Foam::name(time)
+            + " s is no written time; written next to it: " + nearest
+            + " s. Write one that is there, or change writeInterval in "
+              "system/controlDict and run again"
+    );
+}
+
+
+void caseSampler::findSeries()
+{
+    DynamicList<instant> found;
+    string others;
+    for (const scalar time : controls_.seriesTimes)
+    {
+        const instant& t = writtenAt(time);
+        if (times_.found(t))
         {
-            releaseDir_ =
-                releaseDir_.empty() ? caseDir_ / t.name() : releaseDir_;
-            latest_ = t.name();
+            found.append(t);
         }
+        else
+        {
+            others += " " + t.name();
+        }
+    }
+    series_.transfer(found);
+    if (!others.empty())
+    {
+        Info << "Not selected, left out of the series:" << others.c_str()
+             << " s" << nl;
     }
 }
 
@@ -315,6 +371,12 @@ deposit caseSampler::sample(const word& cloud) const
         const state now(stateOf(timeDir, cloud));
         result.fields.add(t.value(), now.columns, bedCells_, present(cloud));
         result.records.append(record(t.value(), now, present(cloud)));
+        if (series_.found(t))
+        {
+            result.series.append(
+                {t, now.columns.thicknessVertical, now.columns.depth}
+            );
+        }
         if (timeDir == releaseDir_)
         {
             result.releaseThickness = now.columns.thicknessVertical;

@@ -8,10 +8,12 @@ Usage        depositionSample [-case <dir>] [-dict <file>]
                  [-time <ranges>] [-latestTime] [-noZero]
              Reads  system/depositionSampleDict, constant/terrain,
                     constant/releaseProperties, constant/phaseProperties,
-                    <time>/lagrangian/<cloud>
+                    <time>/lagrangian/<cloud>,
+                    postProcessing/lpfSolver/<time>/phases.dat for a series
              Writes postProcessing/deposition/<first time sampled>/, with
                     _<last time> if later times are left out, anew and as a
-                    whole; with more clouds than one a folder for each
+                    whole; with more clouds than one a folder for each, and
+                    beside them the pictures of a series
              Manual etc/caseDicts/annotated/depositionSampleDict
 */
 #include "argList.H"
@@ -23,6 +25,7 @@ Usage        depositionSample [-case <dir>] [-dict <file>]
 #include "inputCheck.H"
 #include "productFolder.H"
 #include "products.H"
+#include "seriesPictures.H"
 
 #include <vector>
 
@@ -60,6 +63,10 @@ int sample(const argList& args)
         results.push_back(sampler.sample(cloud));
         found.push_back(lpf::findingsOf(results.back()));
     }
+    const lpf::seriesTable forces =
+        sampler.hasSeries()
+            ? lpf::seriesTable(args.path(), "lpfSolver", "phases.dat")
+            : lpf::seriesTable();
     lpf::productFolder folder(
         args.path() / "postProcessing" / "deposition", sampler.folderName()
     );
@@ -70,6 +77,10 @@ int sample(const argList& args)
             results[k],
             found[k]
         );
+    }
+    if (sampler.hasSeries())
+    {
+        lpf::writeSeries(folder.top(), results, forces);
     }
     folder.commit();
     Info << "Written: " << folder.name() << nl << nl << "End" << nl << endl;

@@ -2,8 +2,7 @@
 #include "products.H"
 
 #include "axisTicks.H"
-#include "crs.H"
-#include "mapImage.H"
+#include "pictureParts.H"
 #include "plotImage.H"
 
 namespace Foam
@@ -19,41 +18,6 @@ const colour red{0.84, 0.1, 0.1};
 const colour observedColours[] = {
     {0.1, 0.35, 0.85}, {0.75, 0.1, 0.7}, {0.0, 0.6, 0.55}};
 const colour brown{0.55, 0.2, 0.05};
-const colour grey{0.35, 0.35, 0.35};
-
-
-//- All rings, closed
-List<pointField> closedLines(const polygonSet& areas)
-{
-    DynamicList<pointField> lines;
-    for (const polygon& area : areas.polygons)
-    {
-        for (const ring& points : area.rings)
-        {
-            pointField line(points.size() + 1);
-            forAll (line, k)
-            {
-                const point2D& x = points[k % points.size()];
-                line[k] = point(x.x(), x.y(), 0);
-            }
-            lines.append(line);
-        }
-    }
-    return List<pointField>(std::move(lines));
-}
-
-
-pointField pathLineOf(const deposit& result, const runoutPath& path)
-{
-    const label n = 400;
-    pointField line(n + 1);
-    forAll (line, k)
-    {
-        line[k] = path.position(path.planLength() * scalar(k) / n)
-                + result.bed.origin();
-    }
-    return line;
-}
 
 
 List<mapLines> linesOf(const deposit& result, const findings& found)
@@ -62,11 +26,7 @@ List<mapLines> linesOf(const deposit& result, const findings& found)
     DynamicList<mapLines> lines;
     for (const runoutPath& path : result.paths)
     {
-        lines.append(
-            {"path " + path.name(),
-             List<pointField>(1, pathLineOf(result, path)),
-             {grey, 2.0, 5}}
-        );
+        lines.append(pathLines(result, path));
     }
     forAll (found.observed, k)
     {
@@ -156,19 +116,7 @@ void writeDepositMap(
     const fileName& file, const deposit& result, const findings& found
 )
 {
-    mapContent map;
-    map.nx = result.grid.nx;
-    map.ny = result.grid.ny;
-    map.dx = result.grid.dx;
-    map.dy = result.grid.dy;
-    map.x0 = result.grid.x0 + result.bed.origin().x();
-    map.y0 = result.grid.y0 + result.bed.origin().y();
-    map.ground = result.bedCells.elevation;
-    map.noGround = 0.5 * noValue;
-    for (scalar& z : map.ground)
-    {
-        z += hasValue(z) ? result.bed.origin().z() : 0;
-    }
+    mapContent map(groundMap(result));
     map.value = result.fields.thicknessVertical;
     map.valueFrom =
         min(result.controls.outlineAbove, 0.5 * result.scales.spacing);
@@ -178,7 +126,6 @@ void writeDepositMap(
     map.title = result.controls.title + ": deposit of " + result.cloud
               + " at t = " + threeDigits(result.records.last().time) + " s";
     map.caption = captionOf(result, found);
-    map.crs = result.bed.crs().empty() ? string() : crsName(result.bed.crs());
     writeMap(file, map, result.controls.mapWidth);
 }
 

@@ -40,8 +40,9 @@ raster placed(const deposit& result, const scalarField& values)
 }
 
 
-//- The area thicker than the outline. Cells without ground and deposit are
-//  missing, not zero: the line runs along the wall of a flume, not outside it
+} // namespace
+
+
 polygonSet areaOf(const deposit& result, const scalarField& thickness)
 {
     raster map = placed(result, thickness);
@@ -53,6 +54,9 @@ polygonSet areaOf(const deposit& result, const scalarField& thickness)
     return areasAbove(map, result.controls.outlineAbove);
 }
 
+
+namespace
+{
 
 raster readObserved(const deposit& result, const observedControls& observed)
 {
