@@ -136,7 +136,10 @@ TEST_CASE("mapImage, plotImage: write pictures without a display")
     CHECK(pngSize(folder / "map.png").second >= 600);
 
     // Each panel of a series is as high as the others
-    map.lines.append({"path", {pointField({{1.49e6, 5.2e6, 0}})}, {}});
+    mapLines path;
+    path.name = "path";
+    path.lines = List<pointField>(1, pointField(1, point(1.49e6, 5.2e6, 0)));
+    map.lines.append(path);
     List<mapPanel> panels(1);
     panels[0] = {"t = 1 s", {{"grains", {}, {}, false}}};
     unsigned height[3];

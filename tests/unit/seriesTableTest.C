@@ -35,7 +35,8 @@ TEST_CASE("seriesTable: a run from an earlier time replaces what was written")
     const seriesTable table(dir, "lpfSolver", "a.dat");
     // the last line of 1 has no end: it is being written
     CHECK(
-        table.time() == scalarField(scalarList({0.0, 0.5, 1.0, 1.25, 9.0, 10.0}))
+        table.time()
+        == scalarField(scalarList({0.0, 0.5, 1.0, 1.25, 9.0, 10.0}))
     );
     CHECK(
         table.column("a")
