@@ -521,7 +521,7 @@ void caseRun::readWaterScheme(const dictionary& dict)
     kappa.lower = 0;
     kappa.upper = 0.01;
     kappa.reason = "it draws the density to what the packing of the particles "
-                   "says; above 0.01 it makes noise; write 0.001";
+                   "says; above 0.01 it makes noise; write 0.0003";
     waterScheme_.densityRelaxation = readNumber(
         dict,
         "densityRelaxation",
