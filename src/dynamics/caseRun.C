@@ -28,7 +28,7 @@ void caseRun::openSeries()
         "momentumY[Ns] momentumZ[Ns] unexplainedMomentum[Ns] maxSpeed[m/s] "
         "movingMass[-] wallForceX[N] wallForceY[N] wallForceZ[N] "
         "wallImpulse[Ns] contactImpulse[Ns] artificial[J] diffusion[J] "
-        "drag[J]"
+        "drag[J] shifting[J]"
     ));
     const string leaverColumns =
         "time[s] id x[m] y[m] z[m] Ux[m/s] Uy[m/s] Uz[m/s] mass[kg]";
@@ -237,7 +237,8 @@ void caseRun::bookBalance()
          b.projectionNormalImpulse,
          b.artificial,
          b.diffusion,
-         b.drag}
+         b.drag,
+         b.shifting}
     );
     bookPhases();
     bookLeavers();
@@ -418,6 +419,7 @@ void caseRun::printLedger() const
     {
         line("viscous         ", b.viscous);
         line("diffusion       ", b.diffusion);
+        line("shifting        ", b.shifting);
     }
     line("artificial      ", b.artificial);
     line("contact         ", b.projection);
@@ -438,14 +440,15 @@ void caseRun::printArtificialShare() const
 {
     constexpr scalar most = 0.05;
     const balance& b = booked_;
-    const scalar artificial = b.artificial + b.diffusion + b.projection;
+    const scalar artificial =
+        b.artificial + b.diffusion + b.projection + mag(b.shifting);
     const scalar all =
         b.plastic + b.friction + b.viscous + b.drag + b.separation + artificial;
     if (!(all > 0))
     {
         return;
     }
-    Info << "Artificial viscosity, diffusion and contact: "
+    Info << "Artificial viscosity, diffusion, shifting and contact: "
          << 100 * artificial / all << " % of all dissipation" << nl;
     if (artificial > most * all)
     {

@@ -495,7 +495,11 @@ word caseRun::readSolution()
 void caseRun::readWaterScheme(const dictionary& dict)
 {
     allowOnly(
-        dict, {"artificialViscosity", "densityDiffusion", "densityRelaxation"}
+        dict,
+        {"artificialViscosity",
+         "densityDiffusion",
+         "densityRelaxation",
+         "shifting"}
     );
     bounds alpha;
     alpha.lower = 0;
@@ -529,6 +533,13 @@ void caseRun::readWaterScheme(const dictionary& dict)
         kappa,
         waterScheme_.densityRelaxation
     );
+    bounds shift;
+    shift.lower = 0;
+    shift.upper = 10;
+    shift.reason = "it moves particles of water apart where they are crowded; "
+                   "above 10 a step takes them too far; write 0 or 3";
+    waterScheme_.shifting =
+        readNumber(dict, "shifting", dimless, shift, waterScheme_.shifting);
 }
 
 void caseRun::readStop(const dictionary& stop)
@@ -781,7 +792,8 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << "Artificial viscosity " << waterScheme_.artificialViscosity
              << ", density diffusion " << waterScheme_.densityDiffusion
              << ", density relaxation " << waterScheme_.densityRelaxation
-             << ", CFL " << waterScheme_.CFL << nl;
+             << ", shifting " << waterScheme_.shifting << ", CFL "
+             << waterScheme_.CFL << nl;
     }
     if (flow_.coupling)
     {

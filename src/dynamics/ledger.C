@@ -40,6 +40,7 @@ void forSums(Balance& b, const Task& task)
     task("viscous", b.viscous);
     task("artificial", b.artificial);
     task("diffusion", b.diffusion);
+    task("shifting", b.shifting);
     task("drag", b.drag);
     task("projection", b.projection);
     task("wallTension", b.wallTension);

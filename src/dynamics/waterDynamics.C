@@ -135,7 +135,7 @@ void waterDynamics::divergence()
     {
         p.hydrostatic[d] = state_.rho0() * scene_.g[d] / sqr(state_.c0());
     }
-    if (scheme_.densityRelaxation > 0)
+    if (scheme_.seesPacking())
     {
         fill_.resize(water.size());
         lpf::resize(gradFill_, water.size());
@@ -174,44 +174,6 @@ void waterDynamics::addGround()
             }
         }
     );
-}
-
-namespace
-{
-
-//- Share of a kernel that a lattice behind a plane would fill, from that of the
-//  solid, to 0.4 %
-scalar latticeShare(scalar gam)
-{
-    constexpr scalar excess = 0.02;
-    return gam - excess * gam / (gam + excess);
-}
-
-} // namespace
-
-// The density of particles that moved far drifts from how they are packed. It
-// goes back to that slowly, faster where the flow deforms: a rate [1/s] of
-//     kappa (c0/h + 100 (|div| + |curl|)) g(S) (S/S_lattice - 1),
-//     S = sum V W + l(gam) + l(gam'),
-// g from 0 at S = 0.6 to 1 at 0.8, gam' beyond the free surface      (T 5.14)
-scalar waterDynamics::relaxation(int i) const
-{
-    constexpr scalar from = 0.6, to = 0.8, byDeformation = 100;
-    vector gradient = at(gradFill_, i);
-    scalar gam = 0;
-    if (slot_[i] >= 0)
-    {
-        const auto slot = static_cast<std::size_t>(slot_[i]);
-        gradient -= toVector(near_[slot].areaNormal);
-        gam = max(scalar(0), walls_[slot].share);
-    }
-    const scalar ratio = scene_.h * mag(gradient) / max(fill_[i] + gam, SMALL);
-    const scalar S = fill_[i] + latticeShare(gam)
-                   + latticeShare(surface_.beyond(ratio)); // (T 5.13)
-    const scalar g = min(scalar(1), max(scalar(0), (S - from) / (to - from)));
-    const scalar rate = state_.c0() / scene_.h
-                      + byDeformation * (mag(water.rate[i]) + water.curl[i]);
-    return scheme_.densityRelaxation * rate * g * (S / latticeFill_ - 1);
 }
 
 // rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
