@@ -74,6 +74,9 @@ void caseRun::checkLimit() const
 
 void caseRun::step()
 {
+    const auto began = wallClock::now();
+    particleSteps_ += flow_.size();
+    ++steps_;
     const bool first = control_.index == 0;
     const bool report = control_.index % logInterval_ == 0;
     const scalar dtBefore = control_.deltaT;
@@ -131,6 +134,8 @@ void caseRun::step()
     {
         write();
     }
+    wallOfSteps_ +=
+        std::chrono::duration<scalar>(wallClock::now() - began).count();
 }
 
 // A time without particles is no time that other programs could read
@@ -457,6 +462,43 @@ void caseRun::printArtificialShare() const
     }
 }
 
+// Where the time of this run went; what no pass names is the limits of the time
+// step, the ledger and the output
+void caseRun::printTimes() const
+{
+    const scalar simulated = control_.time - control_.startTime();
+    const scalar wall = max(wallOfSteps_, VSMALL);
+    Info << "Wall time of " << steps_ << " steps " << wall << " s, "
+         << particleSteps_ / wall << " particle-steps/s; c dt/h "
+         << flow_.waveSpeed() * simulated / (steps_ * scene_.h) << ", "
+         << wall / max(simulated, VSMALL) << " s a simulated second" << nl << nl
+         << "    share %  ns a particle-step  calls  pass" << nl;
+    const auto line = [&](scalar seconds, label calls, const std::string& name)
+    {
+        char text[100];
+        std::snprintf(
+            text,
+            sizeof(text),
+            "    %7.2f  %18.1f  %5d  %s",
+            100 * seconds / wall,
+            1e9 * seconds / particleSteps_,
+            calls,
+            name.c_str()
+        );
+        Info << text << nl;
+    };
+    scalar named = 0;
+    for (const auto& phase : flow_.times())
+    {
+        named += phase.second.sum();
+        for (const passTimes::entry& e : phase.second.all())
+        {
+            line(e.seconds, label(e.calls), phase.first + ": " + e.name);
+        }
+    }
+    line(wall - named, steps_, "limits, ledger, output");
+}
+
 int caseRun::finish()
 {
     if (!stepped_)
@@ -493,6 +535,7 @@ int caseRun::finish()
          << flow_.pairPasses() << " pair passes and " << flow_.names().size()
          << " ground pass" << (flow_.names().size() > 1 ? "es" : "")
          << " a step" << nl;
+    printTimes();
 
     if (!massCloses_)
     {

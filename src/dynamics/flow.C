@@ -225,5 +225,30 @@ int flow::pairPasses() const
          + (coupling ? interphase::pairPasses : 0);
 }
 
+scalar flow::waveSpeed() const
+{
+    return max(
+        grains ? rheology->elastic().c() : 0, water ? state->c0() : scalar(0)
+    );
+}
+
+std::vector<std::pair<word, passTimes>> flow::times() const
+{
+    std::vector<std::pair<word, passTimes>> all;
+    if (grains)
+    {
+        all.emplace_back("grains", grains->times);
+    }
+    if (water)
+    {
+        all.emplace_back("water", water->times);
+    }
+    if (coupling)
+    {
+        all.emplace_back("between", coupling->times);
+    }
+    return all;
+}
+
 } // namespace lpf
 } // namespace Foam

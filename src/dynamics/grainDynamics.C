@@ -129,6 +129,7 @@ lpfPairs::forcePass grainDynamics::forcePass()
 // for the mirror would halve the shear of a layer that slides.
 void grainDynamics::gradient()
 {
+    const passTimes::timed pass(times, "velocity gradient");
     lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
@@ -211,6 +212,7 @@ double grainDynamics::dampingPressure(int i) const
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
+    const passTimes::timed pass(times, "stress moment");
     dampingPower_ = orderedSum<sumOf<double>>(
                         grains.size(),
                         [&](int i)
@@ -300,6 +302,23 @@ void grainDynamics::rates(scalar dt, scalar time)
     sort();
     volumes();
 
+    kinematics();
+    seeGround(wet_);
+    near_.resize(walls_.size());
+    gradient();
+    stress(dt);
+
+    if (scheme_.noiseDamping > 0)
+    {
+        keepFlow();
+    }
+    stressMoment();
+    forces();
+}
+
+void grainDynamics::kinematics()
+{
+    const passTimes::timed pass(times, "kinematics");
     lpfPairs::kinematicsPass k = kinematicsPass();
     for (std::size_t c = 0; c < 9; ++c)
     {
@@ -310,10 +329,11 @@ void grainDynamics::rates(scalar dt, scalar time)
         k.M[c] = grains.B[c].data();
     }
     engine_.kinematics(k);
-    seeGround(wet_);
-    near_.resize(walls_.size());
-    gradient();
+}
 
+void grainDynamics::stress(scalar dt)
+{
+    const passTimes::timed pass(times, "stress");
     grainArrays arrays = {};
     arrays.n = grains.size();
     for (std::size_t c = 0; c < 9; ++c)
@@ -331,12 +351,11 @@ void grainDynamics::rates(scalar dt, scalar time)
     rates_ = rheology_.correct(arrays, dt);
     ledger.plastic += rates_.plastic;
     ledger.separation += rates_.separation;
+}
 
-    if (scheme_.noiseDamping > 0)
-    {
-        keepFlow();
-    }
-    stressMoment();
+void grainDynamics::forces()
+{
+    const passTimes::timed pass(times, "force");
     engine_.force(forcePass());
     if (scheme_.viscous())
     {
@@ -373,6 +392,7 @@ struct kickSums
 
 void grainDynamics::kick(scalar dt)
 {
+    const passTimes::timed pass(times, "kick");
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)

@@ -147,6 +147,7 @@ void interphase::porosity()
     const grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
     const int n = grains.size();
+    const passTimes::timed pass(times, "porosity");
 
     seeWater();
     forChunks(
@@ -188,6 +189,7 @@ void interphase::forces()
     grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
     const int n = grains.size();
+    const passTimes::timed pass(times, "pressure on grains");
 
     lpfPairs::smoothPass p = {crossed(grains_, water_), 3, {}, {}};
     for (std::size_t c = 0; c < 3; ++c)
@@ -329,6 +331,7 @@ vector interphase::dragImpulse(int k, scalar dt) const
 
 void interphase::drag(scalar dt)
 {
+    const passTimes::timed pass(times, "drag");
     const int n = grains_.grains.size();
     gather(water_, fromWater_);
     gather(grains_, fromGrains_);

@@ -38,6 +38,7 @@ phaseDynamics::phaseDynamics(
 
 void phaseDynamics::sort()
 {
+    const passTimes::timed pass(times, "sort");
     const int n = particles_.size();
     order_.resize(n);
     lattice_.sort(particles_.x, n, order_, cells_);
@@ -49,6 +50,7 @@ void phaseDynamics::sort()
 
 void phaseDynamics::seeGround(bool withShare)
 {
+    const passTimes::timed pass(times, "ground");
     const int n = particles_.size();
     slot_.resize(n);
 
@@ -152,6 +154,7 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
 
 void phaseDynamics::drift(scalar dt, scalar time)
 {
+    const passTimes::timed pass(times, "drift");
     constexpr int corners = 4; // a corner of three planes needs three
 
     const driftSums sums = orderedSum<driftSums>(

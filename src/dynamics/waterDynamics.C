@@ -114,6 +114,7 @@ const realArrays<3>& waterDynamics::volumeFlux() const
 
 void waterDynamics::divergence()
 {
+    const passTimes::timed pass(times, "continuity");
     volumes();
 
     lpfPairs::waterContinuityPass p = {};
@@ -219,6 +220,7 @@ scalar waterDynamics::relaxation(int i) const
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
 void waterDynamics::correct(scalar dt)
 {
+    const passTimes::timed pass(times, "density, pressure");
     const int n = water.size();
     if (withGrains_)
     {
@@ -369,6 +371,7 @@ void waterDynamics::addForcesOfGround()
 
 void waterDynamics::accelerations()
 {
+    const passTimes::timed timing(times, "force");
     const lpfPairs::waterForcePass pass = forcePass();
     engine_.waterForce(pass);
     artificialPower_ = viscousPower_ = 0;
@@ -426,6 +429,7 @@ waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
 
 void waterDynamics::kick(scalar dt)
 {
+    const passTimes::timed pass(times, "kick");
     const kickSums sums = orderedSum<kickSums>(
         water.size(),
         [&](int i)
