@@ -75,6 +75,7 @@ void caseRun::checkLimit() const
 void caseRun::step()
 {
     const auto began = wallClock::now();
+    const scalar processorBefore = passTimes::processorTime();
     particleSteps_ += flow_.size();
     ++steps_;
     const bool first = control_.index == 0;
@@ -134,6 +135,7 @@ void caseRun::step()
     {
         write();
     }
+    processorOfSteps_ += passTimes::processorTime() - processorBefore;
     wallOfSteps_ +=
         std::chrono::duration<scalar>(wallClock::now() - began).count();
 }
@@ -471,32 +473,40 @@ void caseRun::printTimes() const
     Info << "Wall time of " << steps_ << " steps " << wall << " s, "
          << particleSteps_ / wall << " particle-steps/s; c dt/h "
          << flow_.waveSpeed() * simulated / (steps_ * scene_.h) << ", "
-         << wall / max(simulated, VSMALL) << " s a simulated second" << nl << nl
-         << "    share %  ns a particle-step  calls  pass" << nl;
-    const auto line = [&](scalar seconds, label calls, const std::string& name)
+         << wall / max(simulated, VSMALL) << " s a simulated second" << nl
+         << "Time of the processors " << processorOfSteps_ << " s, "
+         << particleSteps_ / max(processorOfSteps_, VSMALL)
+         << " particle-steps in a second of one" << nl
+         << "Pairs of a particle within the support " << flow_.pairsOfParticle()
+         << nl << nl << "    share %  ns a particle-step"
+         << "  of processors  calls  pass" << nl;
+    passTimes::entry rest = {
+        "", wallOfSteps_, processorOfSteps_, static_cast<long>(steps_)};
+    const auto line = [&](const passTimes::entry& e, const std::string& name)
     {
-        char text[100];
+        char text[120];
         std::snprintf(
             text,
             sizeof(text),
-            "    %7.2f  %18.1f  %5d  %s",
-            100 * seconds / wall,
-            1e9 * seconds / particleSteps_,
-            calls,
+            "    %7.2f  %18.1f  %13.1f  %5ld  %s",
+            100 * e.seconds / wall,
+            1e9 * e.seconds / particleSteps_,
+            1e9 * e.processor / particleSteps_,
+            e.calls,
             name.c_str()
         );
         Info << text << nl;
     };
-    scalar named = 0;
     for (const auto& phase : flow_.times())
     {
-        named += phase.second.sum();
+        rest.seconds -= phase.second.sum().seconds;
+        rest.processor -= phase.second.sum().processor;
         for (const passTimes::entry& e : phase.second.all())
         {
-            line(e.seconds, label(e.calls), phase.first + ": " + e.name);
+            line(e, phase.first + ": " + e.name);
         }
     }
-    line(wall - named, steps_, "limits, ledger, output");
+    line(rest, "limits, ledger, output");
 }
 
 int caseRun::finish()

@@ -440,6 +440,7 @@ word caseRun::readSolution()
          "bulkDamping",
          "water",
          "instructionSet",
+         "precision",
          "logInterval",
          "stop"}
     );
@@ -474,6 +475,10 @@ word caseRun::readSolution()
 
     logInterval_ =
         readInteger(dict, "logInterval", 1, labelMax, "a number of steps", 100);
+
+    scene_.single = waterScene_.single =
+        readChoice(dict, "precision", {"double", "single"}, "double")
+        == "single";
 
     if (const dictionary* water = optionalDictionary(dict, "water"))
     {
@@ -758,8 +763,9 @@ void caseRun::checkStiffness(const dictionary& interphaseDict)
 void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
 {
     Info << nl << "Pair engine " << engine.instructionSet << ", "
-         << engine.lanes << " lanes, double; threads " << omp_get_max_threads()
-         << nl;
+         << (scene_.single ? engine.singleLanes : engine.lanes) << " lanes, "
+         << (scene_.single ? "single" : "double") << "; threads "
+         << omp_get_max_threads() << nl;
     if (flow_.grains)
     {
         const elasticity& e = flow_.rheology->elastic();

@@ -225,6 +225,16 @@ int flow::pairPasses() const
          + (coupling ? interphase::pairPasses : 0);
 }
 
+scalar flow::pairsOfParticle() const
+{
+    scalar pairs = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        pairs += phase->pairs().size().pairs;
+    }
+    return pairs / max(size(), 1) - 1; // without the particle itself
+}
+
 scalar flow::waveSpeed() const
 {
     return max(

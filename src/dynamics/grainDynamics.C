@@ -56,10 +56,13 @@ void grainDynamics::densityFromPressure()
 void grainDynamics::volumes()
 {
     const int n = grains.size();
-    for (int i = 0; i < n; ++i)
-    {
-        grains.V[i] = grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
-    }
+    lpfPairs::forEach(
+        n,
+        [&](int i) {
+            grains.V[i] =
+                grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
+        }
+    );
     grains.V.pad(n, 0);
     grains.rho.pad(n, 1);
 }
@@ -67,6 +70,8 @@ void grainDynamics::volumes()
 lpfPairs::kinematicsPass grainDynamics::kinematicsPass() const
 {
     lpfPairs::kinematicsPass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -84,6 +89,8 @@ lpfPairs::forcePass grainDynamics::forcePass()
 {
     const lpfPairs::kinematicsPass k = kinematicsPass();
     lpfPairs::forcePass p = {};
+    p.pairs = k.pairs;
+    p.single = k.single;
     p.cells = k.cells;
     p.h = k.h;
     p.dimensions = k.dimensions;
@@ -264,12 +271,10 @@ void grainDynamics::stressMomentOf(int i, double q)
 void grainDynamics::keepFlow()
 {
     const int n = grains.size();
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        flow_[c].resize(n);
-        std::copy_n(grains.L[c].data(), n, flow_[c].data());
-        flow_[c].pad(n, 0);
-    }
+    lpf::resize(flow_, n);
+    lpfPairs::forEach(
+        n, [&](int i) { setTensor(flow_, i, tensorAt(grains.L, i)); }
+    );
 }
 
 void grainDynamics::addGroundAndGravity()

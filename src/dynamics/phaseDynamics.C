@@ -27,7 +27,8 @@ phaseDynamics::phaseDynamics(
     particleStore& particles
 )
     : particles_(particles), engine_(engine), scene_(scene), contact_(contact),
-      lattice_(scene.largestH, scene.cyclic), acrossPlane_{}
+      lattice_(scene.largestH, scene.cyclic), acrossPlane_{}, pairs_(engine),
+      elementsAround_(engine)
 {
     if (scene_.dimensions == 2)
     {
@@ -38,14 +39,21 @@ phaseDynamics::phaseDynamics(
 
 void phaseDynamics::sort()
 {
-    const passTimes::timed pass(times, "sort");
-    const int n = particles_.size();
-    order_.resize(n);
-    lattice_.sort(particles_.x, n, order_, cells_);
-    if (cells_.moved)
     {
-        particles_.permute(order_);
+        const passTimes::timed pass(times, "sort");
+        const int n = particles_.size();
+        order_.resize(n);
+        lattice_.sort(particles_.x, n, order_, cells_);
+        if (cells_.moved)
+        {
+            particles_.permute(order_);
+        }
     }
+    const passTimes::timed pass(times, "search");
+    const double* const x = particles_.x[0].data();
+    const double* const y = particles_.x[1].data();
+    const double* const z = particles_.x[2].data();
+    pairs_.search({cells_.grid, cells_.grid, scene_.h, x, y, z, x, y, z});
 }
 
 void phaseDynamics::seeGround(bool withShare)
@@ -57,9 +65,6 @@ void phaseDynamics::seeGround(bool withShare)
     lpfPairs::wallPass p = {};
     p.cells = cells_.grid;
     contact_.present(p);
-    nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
-    walls_.resize(static_cast<std::size_t>(nSlots_));
-
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
     p.withShare = withShare;
@@ -69,6 +74,12 @@ void phaseDynamics::seeGround(bool withShare)
     p.x = particles_.x[0].data();
     p.y = particles_.x[1].data();
     p.z = particles_.x[2].data();
+    elementsAround_.search(
+        {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
+    );
+    nSlots_ = elementsAround_.number(slot_.data());
+    walls_.resize(static_cast<std::size_t>(nSlots_));
+    p.pairs = elementsAround_.get();
     p.slot = slot_.data();
     p.sums = walls_.data();
     engine_.wall(p);
@@ -195,6 +206,18 @@ void phaseDynamics::drift(scalar dt, scalar time)
 void phaseDynamics::removeLeavers(scalar time)
 {
     const int n = particles_.size();
+    const int outside = orderedSum<sumOf<int>>(
+                            n,
+                            [&](int i)
+                            {
+                                const point x = at(particles_.x, i);
+                                return sumOf<int>{!scene_.domain.contains(x)};
+                            }
+    ).value;
+    if (outside == 0)
+    {
+        return;
+    }
     int kept = 0;
     indexArray order;
 
@@ -320,6 +343,7 @@ phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
 std::size_t phaseDynamics::bytes() const
 {
     return particles_.bytes() + order_.bytes() + slot_.bytes()
+         + pairs_.size().bytes + elementsAround_.size().bytes
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
          + cells_.start.capacity() * sizeof(int);
 }

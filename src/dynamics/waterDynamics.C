@@ -98,10 +98,7 @@ void waterDynamics::volumes()
     waterVolumes(water.V);
     if (withGrains_)
     {
-        for (int i = 0; i < n; ++i)
-        {
-            water.V[i] /= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { water.V[i] /= water.theta[i]; });
     }
     water.rho.pad(n, state_.rho0());
 }
@@ -118,6 +115,8 @@ void waterDynamics::divergence()
     volumes();
 
     lpfPairs::waterContinuityPass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -225,10 +224,7 @@ void waterDynamics::correct(scalar dt)
     if (withGrains_)
     {
         // the volume that water leaves is compressed by all of it   (T 6.4)
-        for (int i = 0; i < n; ++i)
-        {
-            water.rate[i] /= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { water.rate[i] /= water.theta[i]; });
     }
     const scalar diffusivity =
         scheme_.densityDiffusion * scene_.h * state_.c0();
@@ -269,10 +265,7 @@ void waterDynamics::viscosityOfMixture()
     viscosity_.mu(n, eta_.data());
     if (withGrains_)
     {
-        for (int i = 0; i < n; ++i)
-        {
-            eta_[i] *= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { eta_[i] *= water.theta[i]; });
     }
     eta_.pad(n, 0);
 }
@@ -280,6 +273,8 @@ void waterDynamics::viscosityOfMixture()
 lpfPairs::waterForcePass waterDynamics::forcePass()
 {
     lpfPairs::waterForcePass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;

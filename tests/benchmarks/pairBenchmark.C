@@ -9,7 +9,8 @@ Description  Ways to find the pairs of a step, on the two passes over water
              lpfPairBenchmark [particles per edge] [repeats]
 */
 #include "machine.H"
-#include "pairLoops.H"
+#include "cellRuns.H"
+#include "listLoops.H"
 #include "neighbourSearch.H"
 #include "pairTerms.H"
 #include "records.H"
@@ -66,7 +67,6 @@ struct cloud
 {
     int n = 0;
     std::vector<double> a[fields];
-    std::vector<std::int32_t> q[3];
     std::vector<int> start;
     cellGrid grid = {};
     std::vector<float> single[fields];
@@ -117,13 +117,6 @@ cloud::cloud(int edge, int perSupport) : n(edge * edge * edge)
     {
         a[c].resize(a[c].size() + padding, c == RHO ? 1000 : 0.0);
         single[c].assign(a[c].begin(), a[c].end());
-    }
-    for (int d = 0; d < 3; ++d)
-    {
-        for (const double x : a[X + d])
-        {
-            q[d].push_back(fixedPoint(x, unitsPerLength(h)));
-        }
     }
 }
 
@@ -212,7 +205,7 @@ struct continuityOf
     Filling<T> filling = {};
 
     template<class Read>
-    void
+    LPF_INLINE void
     add(const wendlandC2& kernel,
         const Vec<T>& x,
         const T& rSqr,
@@ -251,7 +244,7 @@ struct forceOf
     T power = T(Real(0));
 
     template<class Read>
-    void
+    LPF_INLINE void
     add(const wendlandC2& kernel,
         const Vec<T>& x,
         const T& rSqr,
@@ -362,62 +355,27 @@ struct lists
 
     explicit lists(const cloud& theCloud) : c(theCloud)
     {
-        table.list.resize(c.n);
-        table.count.resize(c.n);
-        table.arenas.resize(omp_get_max_threads());
         records.resize(static_cast<std::size_t>(c.n + 1) * fields);
-    }
-
-    LPF_ONE_BODY int search(int i, const runs& around, std::int32_t* to) const
-    {
-        constexpr double units = 1 << 24;
-        constexpr double reach = 2 * (1 + 0.01 * percentSkin) * units;
-        return findAround(
-            around,
-            {c.q[0][i], c.q[1][i], c.q[2][i]},
-            {c.q[0].data(), c.q[1].data(), c.q[2].data()},
-            unitsPerLength(h),
-            static_cast<float>(reach * reach),
-            to
-        );
     }
 
     double find()
     {
         const double begin = now();
-        for (auto& arena : table.arenas)
-        {
-            arena.clear();
-        }
-        forParticles(
-            c.grid,
-            c.grid,
-            [&](const runs& around, int i)
-            {
-                auto& arena = table.arenas[omp_get_thread_num()];
-                int most = 2 * padding;
-                for (int k = 0; k < around.count; ++k)
-                {
-                    most += around.list[k].end - around.list[k].begin + padding;
-                }
-                std::int32_t* list = arena.room(most);
-                const int count = search(i, around, list);
-                const int filled = (count + padding - 1) / padding * padding;
-                std::fill(list + count, list + filled, c.n);
-                table.list[i] = list;
-                table.count[i] = count;
-                arena.take(filled);
-            }
+        const double *x = c.a[X].data(), *y = c.a[Y].data(), *z = c.a[Z].data();
+        searchPairs(
+            {c.grid, c.grid, h * (1 + 0.01 * percentSkin), x, y, z, x, y, z},
+            &table
         );
         return now() - begin;
     }
 
     template<class Pass>
-    void makeRecords() const
+    void fill() const
     {
         constexpr int count = Pass::count;
+        std::fill_n(&records[static_cast<std::size_t>(c.n) * count], count, 0);
 #pragma omp parallel for schedule(static)
-        for (int i = 0; i <= c.n; ++i)
+        for (int i = 0; i < c.n; ++i)
         {
             for (int k = 0; k < count; ++k)
             {
@@ -436,8 +394,8 @@ struct lists
         {
             pass.own[k] = T(c.get<Real>(k)[i]);
         }
-        const std::int32_t* list = table.list[i];
-        for (int j = 0; j < table.count[i]; j += lanesOf<Real>)
+        const auto [list, count] = table.of[i];
+        for (int j = 0; j < count; j += lanesOf<Real>)
         {
             T got[Pass::count];
             if constexpr (byRecords)
@@ -492,7 +450,7 @@ struct lists
         const wendlandC2 kernel(h, 3);
         if constexpr (byRecords)
         {
-            makeRecords<Pass>();
+            fill<Pass>();
         }
 #pragma omp parallel for schedule(dynamic, 64)
         for (int i = 0; i < c.n; ++i)
@@ -724,9 +682,9 @@ void compare(const cloud& coarse, const cloud& fine, int repeats)
         measure<Real>(skin10, coarse, t[7]);
     }
     double pairs = 0;
-    for (const int count : byRecords.table.count)
+    for (const auto& entry : byRecords.table.of)
     {
-        pairs += count;
+        pairs += entry.count;
     }
     std::printf(
         "%s, %d lanes, %.1f neighbours\n",

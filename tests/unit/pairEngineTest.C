@@ -6,6 +6,7 @@
 
 #include "cellLattice.H"
 #include "engineLoader.H"
+#include "pairTable.H"
 #include "pairTerms.H"
 #include "sampleCase.H"
 #include "sampleGrains.H"
@@ -229,10 +230,13 @@ struct cloud
         }
     }
 
+    bool single = false; //!< ask for single precision
+
     template<class Pass>
     void fill(Pass& p) const
     {
         p = {};
+        p.single = single;
         p.cells = cells.grid;
         p.h = h;
         p.dimensions = dimensions;
@@ -463,9 +467,12 @@ results wallsBy(const pairEngine& engine, cloud& c)
     results all(25, c.n);
     lpfPairs::wallPass p = wallPassOf(c);
     p.withShare = true;
-    std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
-        engine.wallSlots(p.cells, p.elements, c.slot.data())
-    ));
+    lpfPairs::pairTable around(engine);
+    around.search({p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez});
+    std::vector<lpfPairs::wallRecord> records(
+        static_cast<std::size_t>(around.number(c.slot.data()))
+    );
+    p.pairs = around.get();
     p.sums = records.data();
     engine.wall(p);
     for (int i = 0; i < c.n; ++i)
@@ -760,6 +767,7 @@ results smoothedBy(const pairEngine* engine, const cloud& c, int count)
     results all(static_cast<std::size_t>(count), c.n);
     const wendlandC2 W(h, c.dimensions);
     lpfPairs::smoothPass p = {};
+    p.single = c.single;
     p.home = p.others = c.cells.grid;
     p.h = h;
     p.dimensions = c.dimensions;
@@ -943,6 +951,47 @@ TEST_CASE("pair engines: smoothing of every instruction set")
                         < 1e-13
                     );
                 }
+            }
+        }
+    );
+}
+
+
+//- Single precision has rounded, and to no more than 24 bits of h
+void checkSingle(const results& exact, const results& got, std::size_t columns)
+{
+    for (std::size_t k = 0; k < columns; ++k)
+    {
+        CHECK(exact.apart(got, k, k + 1) < 3e-5);
+    }
+    CHECK(exact.apart(got, 0, columns) > 1e-10);
+}
+
+
+TEST_CASE("pair engines: single precision, far from the origin too")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            for (const pairEngine* engine : all)
+            {
+                INFO(engine->instructionSet);
+                const damping by = {"viscosity and noise", 0.03, 0.2};
+                const waterFriction friction = {"both", 0.03, true};
+                c.single = false;
+                const results kinematics = kinematicsOf(c, engine);
+                const results forces = forcesBy(*engine, c, by);
+                const results continuity = waterContinuityOf(c, engine);
+                const results water = waterForcesBy(*engine, c, friction);
+                const results smooth = smoothedBy(engine, c, 5);
+                c.single = true;
+                checkSingle(kinematics, kinematicsOf(c, engine), 15);
+                checkSingle(forces, forcesBy(*engine, c, by), 4);
+                checkSingle(continuity, waterContinuityOf(c, engine), 7);
+                checkSingle(water, waterForcesBy(*engine, c, friction), 8);
+                checkSingle(smooth, smoothedBy(engine, c, 5), 5);
+                c.single = false;
             }
         }
     );
