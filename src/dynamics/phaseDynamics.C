@@ -80,6 +80,7 @@ void phaseDynamics::seeGround(bool withShare)
     nSlots_ = elementsAround_.number(slot_.data());
     walls_.resize(static_cast<std::size_t>(nSlots_));
     p.pairs = elementsAround_.get();
+    p.single = scene_.single;
     p.slot = slot_.data();
     p.sums = walls_.data();
     engine_.wall(p);

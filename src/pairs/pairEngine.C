@@ -260,20 +260,23 @@ void anyForce(const forcePass& p)
     }
 }
 
-//- A squared distance that is seen by nobody
-constexpr double farAway = 1e300;
+//- A squared distance that nobody sees; above itself when rounded to float
+constexpr double farAway = 1e30;
 
 //- Nearest element so far in each lane
+template<class T>
 struct nearestLanes
 {
-    pack rSqr = pack(farAway), distance = pack(farAway);
-    Vec<pack> normal = {};
+    T rSqr = constant<T>(farAway), distance = constant<T>(farAway);
+    Vec<T> normal = {};
 
     LPF_INLINE void
-    see(const packMask& there, const pack& r2, const pack& d, const Vec<pack>& n
-    )
+    see(const typename T::mask_type& there,
+        const T& r2,
+        const T& d,
+        const Vec<T>& n)
     {
-        const packMask nearer = there && r2 < rSqr;
+        const auto nearer = there && r2 < rSqr;
         stdx::where(nearer, rSqr) = r2;
         stdx::where(nearer, distance) = d;
         stdx::where(nearer, normal.x) = n.x;
@@ -286,7 +289,7 @@ struct nearestLanes
         to.nearestSqr = farAway;
         to.distance = farAway;
         to.normal[0] = to.normal[1] = to.normal[2] = 0;
-        for (std::size_t k = 0; k < pack::size(); ++k)
+        for (std::size_t k = 0; k < T::size(); ++k)
         {
             if (rSqr[k] < to.nearestSqr)
             {
@@ -300,17 +303,18 @@ struct nearestLanes
     }
 };
 
-void store(const WallSums<pack>& from, wallRecord& to)
+template<class T>
+void store(const WallSums<T>& from, wallRecord& to)
 {
-    const SymmTensor3<pack> N = from.N3;
-    const pack N3[10] = {
+    const SymmTensor3<T> N = from.N3;
+    const T N3[10] = {
         N.xxx, N.xxy, N.xxz, N.xyy, N.xyz, N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
     for (int c = 0; c < 10; ++c)
     {
         to.N3[c] = lpfPairs::sum(N3[c]);
     }
-    const SymmTensor<pack> D = from.D2;
-    const pack D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
+    const SymmTensor<T> D = from.D2;
+    const T D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
     for (int c = 0; c < 6; ++c)
     {
         to.D2[c] = lpfPairs::sum(D2[c]);
@@ -336,35 +340,36 @@ enum elementField
     friction = 7
 };
 
-template<wallSums kind, int layers>
+template<wallSums kind, int layers, class Real>
 LPF_ONE_BODY void wallOfParticle(
     const wallPass& p,
     const wendlandC2& W,
     const neighbourTable& elements,
-    const double* records,
+    const places<Real>& where,
+    const Real* records,
     int i
 )
 {
-    WallSums<pack> total = {};
-    nearestLanes nearest;
+    using T = packOf<Real>;
+    WallSums<T> total = {};
+    nearestLanes<T> nearest;
 
-    overList<double, 8>(
+    overList<Real, 8>(
         elements,
-        places<double>(p.h),
+        where,
         records,
         i,
-        {p.x[i], p.y[i], p.z[i]},
-        [&](const pack* of, const Vec<pack>& x_iq, const pack& rSqr)
+        {where.stored(p.x[i]), where.stored(p.y[i]), where.stored(p.z[i])},
+        [&](const T* of, const Vec<T>& x_iq, const T& rSqr)
         {
-            const Vec<pack> n = vectorOf(of + normal);
-            const pack d = x_iq & n;
-            const packMask there =
-                of[area] > pack(0.0) && d > pack(-p.outOfSight);
-            const pack A = onlyIf(d > pack(-p.behind), of[area]);
-            const LayerSums<pack> s =
-                layerSums<layers>(W, rSqr, d, p.layerDepth);
+            const Vec<T> n = vectorOf(of + normal);
+            const T d = x_iq & n;
+            const auto there =
+                of[area] > T(Real(0)) && d > own<Real>(-p.outOfSight);
+            const T A = onlyIf(d > own<Real>(-p.behind), of[area]);
+            const LayerSums<T> s = layerSums<layers>(W, rSqr, d, p.layerDepth);
 
-            addWall(total, LayerSums<pack>{A * s.E, A * s.D}, n, of[friction]);
+            addWall(total, LayerSums<T>{A * s.E, A * s.D}, n, of[friction]);
             if constexpr (kind != wallSums::plain)
             {
                 constexpr int D = kind == wallSums::withShare3 ? 3 : 2;
@@ -379,16 +384,17 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
-template<wallSums kind, int layers>
+template<wallSums kind, int layers, class Real>
 void wallInLayers(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
     const pairsOf near(
         p, {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
     );
     const double* const fields[8] = {
         p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu};
-    const double* records = makeRecords(*near, places<double>(p.h), fields);
+    const Real* records = makeRecords(*near, where, fields);
 
     forListed(
         *near,
@@ -396,19 +402,27 @@ void wallInLayers(const wallPass& p)
         {
             if (p.slot[i] >= 0)
             {
-                wallOfParticle<kind, layers>(p, W, *near, records, i);
+                wallOfParticle<kind, layers, Real>(
+                    p, W, *near, where, records, i
+                );
             }
         }
     );
 }
 
 //- Layers that a particle can see over the ground that it may come near to
-template<wallSums kind>
-void wall(const wallPass& p)
+template<wallSums kind, class Real>
+void wallIn(const wallPass& p)
 {
     constexpr double rounding = 1 + 1e-9;
     const bool two = rounding * (2.5 * p.layerDepth + p.behind) >= 2 * p.h;
-    two ? wallInLayers<kind, 2>(p) : wallInLayers<kind, 3>(p);
+    two ? wallInLayers<kind, 2, Real>(p) : wallInLayers<kind, 3, Real>(p);
+}
+
+template<wallSums kind>
+void wall(const wallPass& p)
+{
+    p.single ? wallIn<kind, float>(p) : wallIn<kind, double>(p);
 }
 
 void anyWall(const wallPass& p)
