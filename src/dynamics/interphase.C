@@ -447,8 +447,8 @@ timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeletonSpeed) const
 
 std::size_t interphase::bytes() const
 {
-    return waterAtGrains_.size().bytes + grainsAtWater_.size().bytes
-         + grainsAtGrains_.size().bytes + Vs_.bytes() + around_.bytes()
+    return waterAtGrains_.bytes() + grainsAtWater_.bytes()
+         + grainsAtGrains_.bytes() + Vs_.bytes() + around_.bytes()
          + crowding_.bytes() + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
          + lpf::bytes(carried_);
 }

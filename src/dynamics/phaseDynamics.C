@@ -341,10 +341,11 @@ phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
     return limit;
 }
 
+// Without the records of the elements, which are memory of the ground
 std::size_t phaseDynamics::bytes() const
 {
-    return particles_.bytes() + order_.bytes() + slot_.bytes()
-         + pairs_.size().bytes + elementsAround_.size().bytes
+    return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
+         + elementsAround_.size().lists
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
          + cells_.start.capacity() * sizeof(int);
 }

@@ -137,11 +137,11 @@ void deleteTable(neighbourTable* table)
 
 tableSize sizeOfTable(const neighbourTable* table)
 {
-    tableSize size = {0, table->records.bytes()};
-    size.bytes += table->of.capacity() * sizeof(neighbourTable::entry);
+    tableSize size = {0, 0, table->records.bytes()};
+    size.lists += table->of.capacity() * sizeof(neighbourTable::entry);
     for (const listArena& arena : table->arenas)
     {
-        size.bytes += arena.bytes();
+        size.lists += arena.bytes();
     }
     for (const neighbourTable::entry& e : table->of)
     {

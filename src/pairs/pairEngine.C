@@ -394,7 +394,13 @@ void wallInLayers(const wallPass& p)
     );
     const double* const fields[8] = {
         p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu};
-    const Real* records = makeRecords(*near, where, fields);
+    const neighbourTable& table = *near;
+    const auto size = (static_cast<std::size_t>(table.others) + 1) * 8;
+    // most steps find the elements as they were
+    const bool kept = p.version != 0 && table.recordsVersion == p.version;
+    const Real* records = kept ? table.records.room<Real>(size)
+                               : makeRecords(table, where, fields);
+    table.recordsVersion = p.version;
 
     forListed(
         *near,
