@@ -78,6 +78,14 @@ void caseRun::step()
     const scalar processorBefore = passTimes::processorTime();
     particleSteps_ += flow_.size();
     ++steps_;
+    takeStep();
+    processorOfSteps_ += passTimes::processorTime() - processorBefore;
+    wallOfSteps_ +=
+        std::chrono::duration<scalar>(wallClock::now() - began).count();
+}
+
+void caseRun::takeStep()
+{
     const bool first = control_.index == 0;
     const bool report = control_.index % logInterval_ == 0;
     const scalar dtBefore = control_.deltaT;
@@ -135,9 +143,6 @@ void caseRun::step()
     {
         write();
     }
-    processorOfSteps_ += passTimes::processorTime() - processorBefore;
-    wallOfSteps_ +=
-        std::chrono::duration<scalar>(wallClock::now() - began).count();
 }
 
 // A time without particles is no time that other programs could read

@@ -429,6 +429,29 @@ void caseRun::waitForOpenings()
     }
 }
 
+void caseRun::readDamping(const dictionary& dict)
+{
+    bounds alpha;
+    alpha.lower = 0;
+    alpha.upper = 1;
+    alpha.reason = "it is Monaghan's alpha; above 0.1 the answer is the "
+                   "scheme's, not the material's; write 0 or 0.01";
+    scheme_.artificialViscosity =
+        readNumber(dict, "artificialViscosity", dimless, alpha, 0);
+
+    bounds beta;
+    beta.lower = 0;
+    beta.upper = 2;
+    beta.reason = "it damps what is not smooth between neighbours; above 2 "
+                  "the step is not stable; write 0 to 0.5";
+    scheme_.noiseDamping = readNumber(dict, "noiseDamping", dimless, beta, 0);
+
+    beta.upper = 1;
+    beta.reason = "it damps waves of compression; above 1 the step is not "
+                  "stable; write 0 to 0.5";
+    scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
+}
+
 word caseRun::readSolution()
 {
     const dictionary dict(readDictionary(caseDir_ / "system" / "lpfSolution"));
@@ -453,26 +476,7 @@ word caseRun::readSolution()
                  "the run blows up; write 0.3";
     scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, 0.3);
 
-    bounds alpha;
-    alpha.lower = 0;
-    alpha.upper = 1;
-    alpha.reason = "it is Monaghan's alpha; above 0.1 the answer is the "
-                   "scheme's, not the material's; write 0 or 0.01";
-    scheme_.artificialViscosity =
-        readNumber(dict, "artificialViscosity", dimless, alpha, 0);
-
-    bounds beta;
-    beta.lower = 0;
-    beta.upper = 2;
-    beta.reason = "it damps what is not smooth between neighbours; above 2 "
-                  "the step is not stable; write 0 to 0.5";
-    scheme_.noiseDamping = readNumber(dict, "noiseDamping", dimless, beta, 0);
-
-    beta.upper = 1;
-    beta.reason = "it damps waves of compression; above 1 the step is not "
-                  "stable; write 0 to 0.5";
-    scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
-
+    readDamping(dict);
     logInterval_ =
         readInteger(dict, "logInterval", 1, labelMax, "a number of steps", 100);
 
