@@ -74,6 +74,18 @@ void caseRun::checkLimit() const
 
 void caseRun::step()
 {
+    const auto began = wallClock::now();
+    const scalar processorBefore = passTimes::processorTime();
+    particleSteps_ += flow_.size();
+    ++steps_;
+    takeStep();
+    processorOfSteps_ += passTimes::processorTime() - processorBefore;
+    wallOfSteps_ +=
+        std::chrono::duration<scalar>(wallClock::now() - began).count();
+}
+
+void caseRun::takeStep()
+{
     const bool first = control_.index == 0;
     const bool report = control_.index % logInterval_ == 0;
     const scalar dtBefore = control_.deltaT;
@@ -460,6 +472,51 @@ void caseRun::printArtificialShare() const
     }
 }
 
+// Where the time of this run went; what no pass names is the limits of the time
+// step, the ledger and the output
+void caseRun::printTimes() const
+{
+    const scalar simulated = control_.time - control_.startTime();
+    const scalar wall = max(wallOfSteps_, VSMALL);
+    Info << "Wall time of " << steps_ << " steps " << wall << " s, "
+         << particleSteps_ / wall << " particle-steps/s; c dt/h "
+         << flow_.waveSpeed() * simulated / (steps_ * scene_.h) << ", "
+         << wall / max(simulated, VSMALL) << " s a simulated second" << nl
+         << "Time of the processors " << processorOfSteps_ << " s, "
+         << particleSteps_ / max(processorOfSteps_, VSMALL)
+         << " particle-steps in a second of one" << nl
+         << "Pairs of a particle within the support " << flow_.pairsOfParticle()
+         << nl << nl << "    share %  ns a particle-step"
+         << "  of processors  calls  pass" << nl;
+    passTimes::entry rest = {
+        "", wallOfSteps_, processorOfSteps_, static_cast<long>(steps_)};
+    const auto line = [&](const passTimes::entry& e, const std::string& name)
+    {
+        char text[120];
+        std::snprintf(
+            text,
+            sizeof(text),
+            "    %7.2f  %18.1f  %13.1f  %5ld  %s",
+            100 * e.seconds / wall,
+            1e9 * e.seconds / particleSteps_,
+            1e9 * e.processor / particleSteps_,
+            e.calls,
+            name.c_str()
+        );
+        Info << text << nl;
+    };
+    for (const auto& phase : flow_.times())
+    {
+        rest.seconds -= phase.second.sum().seconds;
+        rest.processor -= phase.second.sum().processor;
+        for (const passTimes::entry& e : phase.second.all())
+        {
+            line(e, phase.first + ": " + e.name);
+        }
+    }
+    line(rest, "limits, ledger, output");
+}
+
 int caseRun::finish()
 {
     if (!stepped_)
@@ -496,6 +553,7 @@ int caseRun::finish()
          << flow_.pairPasses() << " pair passes and " << flow_.names().size()
          << " ground pass" << (flow_.names().size() > 1 ? "es" : "")
          << " a step" << nl;
+    printTimes();
 
     if (!massCloses_)
     {

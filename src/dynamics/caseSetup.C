@@ -429,29 +429,8 @@ void caseRun::waitForOpenings()
     }
 }
 
-word caseRun::readSolution()
+void caseRun::readDamping(const dictionary& dict)
 {
-    const dictionary dict(readDictionary(caseDir_ / "system" / "lpfSolution"));
-    allowOnly(
-        dict,
-        {"CFL",
-         "artificialViscosity",
-         "noiseDamping",
-         "bulkDamping",
-         "water",
-         "instructionSet",
-         "logInterval",
-         "stop"}
-    );
-
-    bounds CFL;
-    CFL.lower = 0;
-    CFL.lowerOpen = true;
-    CFL.upper = 1;
-    CFL.reason = "above 1 a wave passes a smoothing length in one step and "
-                 "the run blows up; write 0.3";
-    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, 0.3);
-
     bounds alpha;
     alpha.lower = 0;
     alpha.upper = 1;
@@ -471,9 +450,39 @@ word caseRun::readSolution()
     beta.reason = "it damps waves of compression; above 1 the step is not "
                   "stable; write 0 to 0.5";
     scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
+}
 
+word caseRun::readSolution()
+{
+    const dictionary dict(readDictionary(caseDir_ / "system" / "lpfSolution"));
+    allowOnly(
+        dict,
+        {"CFL",
+         "artificialViscosity",
+         "noiseDamping",
+         "bulkDamping",
+         "water",
+         "instructionSet",
+         "precision",
+         "logInterval",
+         "stop"}
+    );
+
+    bounds CFL;
+    CFL.lower = 0;
+    CFL.lowerOpen = true;
+    CFL.upper = 1;
+    CFL.reason = "above 1 a wave passes a smoothing length in one step and "
+                 "the run blows up; write 0.3";
+    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, 0.3);
+
+    readDamping(dict);
     logInterval_ =
         readInteger(dict, "logInterval", 1, labelMax, "a number of steps", 100);
+
+    scene_.single = waterScene_.single =
+        readChoice(dict, "precision", {"double", "single"}, "double")
+        == "single";
 
     if (const dictionary* water = optionalDictionary(dict, "water"))
     {
@@ -769,8 +778,9 @@ void caseRun::checkStiffness(const dictionary& interphaseDict)
 void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
 {
     Info << nl << "Pair engine " << engine.instructionSet << ", "
-         << engine.lanes << " lanes, double; threads " << omp_get_max_threads()
-         << nl;
+         << (scene_.single ? engine.singleLanes : engine.lanes) << " lanes, "
+         << (scene_.single ? "single" : "double") << "; threads "
+         << omp_get_max_threads() << nl;
     if (flow_.grains)
     {
         const elasticity& e = flow_.rheology->elastic();

@@ -31,19 +31,41 @@ inline long cellLattice::cellOf(double x, int d) const
     return static_cast<long>(std::floor((x - lower_[d]) / edge_[d]));
 }
 
+namespace
+{
+
+//- Least and largest of the numbers added
+struct range
+{
+    double least = GREAT, most = -GREAT;
+
+    void operator+=(const range& b)
+    {
+        least = std::min(least, b.least);
+        most = std::max(most, b.most);
+    }
+};
+
+} // namespace
+
 void cellLattice::boundingBox(
     const realArrays<3>& x, int n, lpfPairs::cellGrid& grid
 ) const
 {
     for (int d = 0; d < 3; ++d)
     {
-        const double* begin = x[static_cast<std::size_t>(d)].data();
-        const auto ends = std::minmax_element(begin, begin + n);
+        const double* xd = x[static_cast<std::size_t>(d)].data();
+        const range ends = lpfPairs::orderedSum<range>(
+            n,
+            [&](int i) {
+                return range{xd[i], xd[i]};
+            }
+        );
         grid.edge[d] = edge_[d];
         grid.lower[d] = lower_[d];
         grid.period[d] = period_[d];
-        grid.first[d] = n > 0 ? cellOf(*ends.first, d) : 0;
-        const long last = n > 0 ? cellOf(*ends.second, d) : 0;
+        grid.first[d] = n > 0 ? cellOf(ends.least, d) : 0;
+        const long last = n > 0 ? cellOf(ends.most, d) : 0;
         grid.n[d] = static_cast<int>(last - grid.first[d] + 1);
         if (period_[d] > 0)
         {

@@ -225,5 +225,40 @@ int flow::pairPasses() const
          + (coupling ? interphase::pairPasses : 0);
 }
 
+scalar flow::pairsOfParticle() const
+{
+    scalar pairs = 0;
+    for (const phaseDynamics* phase : phases())
+    {
+        pairs += phase->pairs().size().pairs;
+    }
+    return pairs / max(size(), 1) - 1; // without the particle itself
+}
+
+scalar flow::waveSpeed() const
+{
+    return max(
+        grains ? rheology->elastic().c() : 0, water ? state->c0() : scalar(0)
+    );
+}
+
+std::vector<std::pair<word, passTimes>> flow::times() const
+{
+    std::vector<std::pair<word, passTimes>> all;
+    if (grains)
+    {
+        all.emplace_back("grains", grains->times);
+    }
+    if (water)
+    {
+        all.emplace_back("water", water->times);
+    }
+    if (coupling)
+    {
+        all.emplace_back("between", coupling->times);
+    }
+    return all;
+}
+
 } // namespace lpf
 } // namespace Foam

@@ -56,10 +56,13 @@ void grainDynamics::densityFromPressure()
 void grainDynamics::volumes()
 {
     const int n = grains.size();
-    for (int i = 0; i < n; ++i)
-    {
-        grains.V[i] = grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
-    }
+    lpfPairs::forEach(
+        n,
+        [&](int i) {
+            grains.V[i] =
+                grains.mass[i] / (grains.rho[i] * scene_.planeThickness);
+        }
+    );
     grains.V.pad(n, 0);
     grains.rho.pad(n, 1);
 }
@@ -67,6 +70,8 @@ void grainDynamics::volumes()
 lpfPairs::kinematicsPass grainDynamics::kinematicsPass() const
 {
     lpfPairs::kinematicsPass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -84,6 +89,8 @@ lpfPairs::forcePass grainDynamics::forcePass()
 {
     const lpfPairs::kinematicsPass k = kinematicsPass();
     lpfPairs::forcePass p = {};
+    p.pairs = k.pairs;
+    p.single = k.single;
     p.cells = k.cells;
     p.h = k.h;
     p.dimensions = k.dimensions;
@@ -129,6 +136,7 @@ lpfPairs::forcePass grainDynamics::forcePass()
 // for the mirror would halve the shear of a layer that slides.
 void grainDynamics::gradient()
 {
+    const passTimes::timed pass(times, "velocity gradient");
     lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
@@ -211,6 +219,7 @@ double grainDynamics::dampingPressure(int i) const
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
+    const passTimes::timed pass(times, "stress moment");
     dampingPower_ = orderedSum<sumOf<double>>(
                         grains.size(),
                         [&](int i)
@@ -262,12 +271,10 @@ void grainDynamics::stressMomentOf(int i, double q)
 void grainDynamics::keepFlow()
 {
     const int n = grains.size();
-    for (std::size_t c = 0; c < 9; ++c)
-    {
-        flow_[c].resize(n);
-        std::copy_n(grains.L[c].data(), n, flow_[c].data());
-        flow_[c].pad(n, 0);
-    }
+    lpf::resize(flow_, n);
+    lpfPairs::forEach(
+        n, [&](int i) { setTensor(flow_, i, tensorAt(grains.L, i)); }
+    );
 }
 
 void grainDynamics::addGroundAndGravity()
@@ -300,6 +307,23 @@ void grainDynamics::rates(scalar dt, scalar time)
     sort();
     volumes();
 
+    kinematics();
+    seeGround(wet_);
+    near_.resize(walls_.size());
+    gradient();
+    stress(dt);
+
+    if (scheme_.noiseDamping > 0)
+    {
+        keepFlow();
+    }
+    stressMoment();
+    forces();
+}
+
+void grainDynamics::kinematics()
+{
+    const passTimes::timed pass(times, "kinematics");
     lpfPairs::kinematicsPass k = kinematicsPass();
     for (std::size_t c = 0; c < 9; ++c)
     {
@@ -310,10 +334,11 @@ void grainDynamics::rates(scalar dt, scalar time)
         k.M[c] = grains.B[c].data();
     }
     engine_.kinematics(k);
-    seeGround(wet_);
-    near_.resize(walls_.size());
-    gradient();
+}
 
+void grainDynamics::stress(scalar dt)
+{
+    const passTimes::timed pass(times, "stress");
     grainArrays arrays = {};
     arrays.n = grains.size();
     for (std::size_t c = 0; c < 9; ++c)
@@ -331,12 +356,11 @@ void grainDynamics::rates(scalar dt, scalar time)
     rates_ = rheology_.correct(arrays, dt);
     ledger.plastic += rates_.plastic;
     ledger.separation += rates_.separation;
+}
 
-    if (scheme_.noiseDamping > 0)
-    {
-        keepFlow();
-    }
-    stressMoment();
+void grainDynamics::forces()
+{
+    const passTimes::timed pass(times, "force");
     engine_.force(forcePass());
     if (scheme_.viscous())
     {
@@ -373,6 +397,7 @@ struct kickSums
 
 void grainDynamics::kick(scalar dt)
 {
+    const passTimes::timed pass(times, "kick");
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)

@@ -125,6 +125,7 @@ void groundContact::update(scalar time, const cellLattice& lattice)
         }
     }
 
+    ++version_;
     takeElements(ground_.elements(elementSpacing_));
     sort(lattice);
 }
@@ -200,6 +201,7 @@ void groundContact::present(lpfPairs::wallPass& pass) const
     pass.nz = n_[2].data();
     pass.area = area_.data();
     pass.mu = mu_.data();
+    pass.version = version_;
 }
 
 groundHit groundContact::signedDistance(const point& x, scalar radius) const

@@ -69,8 +69,42 @@ interphase::interphase(
 )
     : engine_(engine), grains_(grains), water_(water), law_(law),
       grainDensity_(grainDensity), diameter_(diameter),
-      h_(0.5 * (grains.scene().h + water.scene().h))
+      h_(0.5 * (grains.scene().h + water.scene().h)), waterAtGrains_(engine),
+      grainsAtWater_(engine), grainsAtGrains_(engine)
 {
+}
+
+const lpfPairs::pairTable&
+interphase::table(const phaseDynamics& home, const phaseDynamics& others) const
+{
+    if (&home == &water_)
+    {
+        return grainsAtWater_;
+    }
+    if (&others == &water_)
+    {
+        return waterAtGrains_;
+    }
+    return h_ == grains_.scene().h ? grains_.pairs() : grainsAtGrains_;
+}
+
+// Positions stay as they are until the drift
+void interphase::search()
+{
+    const passTimes::timed pass(times, "search");
+    const auto find = [&](const phaseDynamics& home,
+                          const phaseDynamics& others,
+                          lpfPairs::pairTable& into)
+    {
+        const lpfPairs::crossPass p = crossed(home, others);
+        into.search({p.home, p.others, h_, p.x, p.y, p.z, p.X, p.Y, p.Z});
+    };
+    find(grains_, water_, waterAtGrains_);
+    find(water_, grains_, grainsAtWater_);
+    if (h_ != grains_.scene().h)
+    {
+        find(grains_, grains_, grainsAtGrains_);
+    }
 }
 
 lpfPairs::crossPass interphase::crossed(
@@ -78,6 +112,8 @@ lpfPairs::crossPass interphase::crossed(
 ) const
 {
     lpfPairs::crossPass p = {};
+    p.pairs = table(home, others).get();
+    p.single = home.scene().single;
     const particleStore &a = home.particles(), &b = others.particles();
     p.home = home.cells();
     p.others = others.cells();
@@ -116,16 +152,18 @@ void interphase::seeWater()
     p.out[0] = around_.data();
     engine_.smooth(p);
 
-    for (int k = 0; k < n; ++k)
-    {
-        Vs_[k] =
-            grains.mass[k] / (grainDensity_ * grains_.scene().planeThickness);
-        const scalar pores =
-            max(leastPorosity, 1 - grains.rho[k] / grainDensity_);
-        around_[k] = Vs_[k]
-                   / max(around_[k],
-                         immersed * openShare(grains_.groundShare(k)) * pores);
-    }
+    lpfPairs::forEach(
+        n,
+        [&](int k)
+        {
+            Vs_[k] = grains.mass[k]
+                   / (grainDensity_ * grains_.scene().planeThickness);
+            const scalar pores =
+                max(leastPorosity, 1 - grains.rho[k] / grainDensity_);
+            const scalar open = openShare(grains_.groundShare(k));
+            around_[k] = Vs_[k] / max(around_[k], immersed * open * pores);
+        }
+    );
 }
 
 // theta_a = 1/(1 + chi_a),  chi_a = s_a sum_k Vs_k W_ka/SO_k        (T 6.1)
@@ -147,6 +185,8 @@ void interphase::porosity()
     const grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
     const int n = grains.size();
+    search();
+    const passTimes::timed pass(times, "porosity");
 
     seeWater();
     forChunks(
@@ -188,14 +228,14 @@ void interphase::forces()
     grainStore& grains = grains_.grains;
     waterStore& water = water_.water;
     const int n = grains.size();
+    const passTimes::timed pass(times, "pressure on grains");
 
     lpfPairs::smoothPass p = {crossed(grains_, water_), 3, {}, {}};
     for (std::size_t c = 0; c < 3; ++c)
     {
-        for (int i = 0; i < water.size(); ++i)
-        {
-            water.gradPForce[c][i] *= crowding_[i];
-        }
+        lpfPairs::forEach(
+            water.size(), [&](int i) { water.gradPForce[c][i] *= crowding_[i]; }
+        );
         water.gradPForce[c].pad(water.size(), 0);
         p.q[c] = water.gradPForce[c].data();
         p.out[c] = grains.gradPForce[c].data();
@@ -329,6 +369,7 @@ vector interphase::dragImpulse(int k, scalar dt) const
 
 void interphase::drag(scalar dt)
 {
+    const passTimes::timed pass(times, "drag");
     const int n = grains_.grains.size();
     gather(water_, fromWater_);
     gather(grains_, fromGrains_);
@@ -406,8 +447,9 @@ timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeletonSpeed) const
 
 std::size_t interphase::bytes() const
 {
-    return Vs_.bytes() + around_.bytes() + crowding_.bytes()
-         + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
+    return waterAtGrains_.bytes() + grainsAtWater_.bytes()
+         + grainsAtGrains_.bytes() + Vs_.bytes() + around_.bytes()
+         + crowding_.bytes() + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
          + lpf::bytes(carried_);
 }
 

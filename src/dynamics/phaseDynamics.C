@@ -27,7 +27,8 @@ phaseDynamics::phaseDynamics(
     particleStore& particles
 )
     : particles_(particles), engine_(engine), scene_(scene), contact_(contact),
-      lattice_(scene.largestH, scene.cyclic), acrossPlane_{}
+      lattice_(scene.largestH, scene.cyclic), acrossPlane_{}, pairs_(engine),
+      elementsAround_(engine)
 {
     if (scene_.dimensions == 2)
     {
@@ -38,26 +39,32 @@ phaseDynamics::phaseDynamics(
 
 void phaseDynamics::sort()
 {
-    const int n = particles_.size();
-    order_.resize(n);
-    lattice_.sort(particles_.x, n, order_, cells_);
-    if (cells_.moved)
     {
-        particles_.permute(order_);
+        const passTimes::timed pass(times, "sort");
+        const int n = particles_.size();
+        order_.resize(n);
+        lattice_.sort(particles_.x, n, order_, cells_);
+        if (cells_.moved)
+        {
+            particles_.permute(order_);
+        }
     }
+    const passTimes::timed pass(times, "search");
+    const double* const x = particles_.x[0].data();
+    const double* const y = particles_.x[1].data();
+    const double* const z = particles_.x[2].data();
+    pairs_.search({cells_.grid, cells_.grid, scene_.h, x, y, z, x, y, z});
 }
 
 void phaseDynamics::seeGround(bool withShare)
 {
+    const passTimes::timed pass(times, "ground");
     const int n = particles_.size();
     slot_.resize(n);
 
     lpfPairs::wallPass p = {};
     p.cells = cells_.grid;
     contact_.present(p);
-    nSlots_ = engine_.wallSlots(p.cells, p.elements, slot_.data());
-    walls_.resize(static_cast<std::size_t>(nSlots_));
-
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
     p.withShare = withShare;
@@ -67,6 +74,13 @@ void phaseDynamics::seeGround(bool withShare)
     p.x = particles_.x[0].data();
     p.y = particles_.x[1].data();
     p.z = particles_.x[2].data();
+    elementsAround_.search(
+        {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
+    );
+    nSlots_ = elementsAround_.number(slot_.data());
+    walls_.resize(static_cast<std::size_t>(nSlots_));
+    p.pairs = elementsAround_.get();
+    p.single = scene_.single;
     p.slot = slot_.data();
     p.sums = walls_.data();
     engine_.wall(p);
@@ -152,6 +166,7 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
 
 void phaseDynamics::drift(scalar dt, scalar time)
 {
+    const passTimes::timed pass(times, "drift");
     constexpr int corners = 4; // a corner of three planes needs three
 
     const driftSums sums = orderedSum<driftSums>(
@@ -192,6 +207,18 @@ void phaseDynamics::drift(scalar dt, scalar time)
 void phaseDynamics::removeLeavers(scalar time)
 {
     const int n = particles_.size();
+    const int outside = orderedSum<sumOf<int>>(
+                            n,
+                            [&](int i)
+                            {
+                                const point x = at(particles_.x, i);
+                                return sumOf<int>{!scene_.domain.contains(x)};
+                            }
+    ).value;
+    if (outside == 0)
+    {
+        return;
+    }
     int kept = 0;
     indexArray order;
 
@@ -314,9 +341,11 @@ phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
     return limit;
 }
 
+// Without the records of the elements, which are memory of the ground
 std::size_t phaseDynamics::bytes() const
 {
-    return particles_.bytes() + order_.bytes() + slot_.bytes()
+    return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
+         + elementsAround_.size().lists
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
          + cells_.start.capacity() * sizeof(int);
 }

@@ -98,10 +98,7 @@ void waterDynamics::volumes()
     waterVolumes(water.V);
     if (withGrains_)
     {
-        for (int i = 0; i < n; ++i)
-        {
-            water.V[i] /= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { water.V[i] /= water.theta[i]; });
     }
     water.rho.pad(n, state_.rho0());
 }
@@ -114,9 +111,12 @@ const realArrays<3>& waterDynamics::volumeFlux() const
 
 void waterDynamics::divergence()
 {
+    const passTimes::timed pass(times, "continuity");
     volumes();
 
     lpfPairs::waterContinuityPass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -181,14 +181,12 @@ void waterDynamics::addGround()
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
 void waterDynamics::correct(scalar dt)
 {
+    const passTimes::timed pass(times, "density, pressure");
     const int n = water.size();
     if (withGrains_)
     {
         // the volume that water leaves is compressed by all of it   (T 6.4)
-        for (int i = 0; i < n; ++i)
-        {
-            water.rate[i] /= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { water.rate[i] /= water.theta[i]; });
     }
     const scalar diffusivity =
         scheme_.densityDiffusion * scene_.h * state_.c0();
@@ -229,10 +227,7 @@ void waterDynamics::viscosityOfMixture()
     viscosity_.mu(n, eta_.data());
     if (withGrains_)
     {
-        for (int i = 0; i < n; ++i)
-        {
-            eta_[i] *= water.theta[i];
-        }
+        lpfPairs::forEach(n, [&](int i) { eta_[i] *= water.theta[i]; });
     }
     eta_.pad(n, 0);
 }
@@ -240,6 +235,8 @@ void waterDynamics::viscosityOfMixture()
 lpfPairs::waterForcePass waterDynamics::forcePass()
 {
     lpfPairs::waterForcePass p = {};
+    p.pairs = pairs_.get();
+    p.single = scene_.single;
     p.cells = cells_.grid;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
@@ -331,6 +328,7 @@ void waterDynamics::addForcesOfGround()
 
 void waterDynamics::accelerations()
 {
+    const passTimes::timed timing(times, "force");
     const lpfPairs::waterForcePass pass = forcePass();
     engine_.waterForce(pass);
     artificialPower_ = viscousPower_ = 0;
@@ -388,6 +386,7 @@ waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
 
 void waterDynamics::kick(scalar dt)
 {
+    const passTimes::timed pass(times, "kick");
     const kickSums sums = orderedSum<kickSums>(
         water.size(),
         [&](int i)

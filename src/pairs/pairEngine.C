@@ -4,7 +4,7 @@
 
 #include "pairEngine.H"
 #include "enginePasses.H"
-#include "pairLoops.H"
+#include "listLoops.H"
 #include "pairTerms.H"
 #include "wendlandC2.H"
 
@@ -19,27 +19,49 @@ namespace lpfPairs
 namespace
 {
 
-//- Lanes outside the support have x_ij up to two cells, inside a masked one
-//  anything: F = 0 there removes both, as long as x_ij is finite
+//- Fields of the records of grains
+enum grainField
+{
+    volume = 3,
+    velocity = 4,
+    moment = 4, //!< of the force pass, nine
+    flow = 13,  //!< velocity there, with viscosity
+    density = 16,
+    mass = 17,
+    gradientL = 18 //!< nine, with noise damping
+};
+
+//- Outside the support F = 0, and in the record of nobody V = 0: both remove
+//  what is there, as it is finite
+template<class Real>
 LPF_ONE_BODY void kinematicsOfParticle(
-    const kinematicsPass& p, const wendlandC2& W, const runs& around, int i
+    const kinematicsPass& p,
+    const wendlandC2& W,
+    const neighbourTable& pairs,
+    const places<Real>& where,
+    const Real* records,
+    int i
 )
 {
-    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
-    Kinematics<pack> total = {};
+    using T = packOf<Real>;
+    constexpr int count = 8;
+    const Real* here = records + static_cast<std::size_t>(i) * count;
+    const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
+    Kinematics<T> total = {};
 
-    overNeighbours(
-        p,
-        W,
-        around,
+    overList<Real, count>(
+        pairs,
+        where,
+        records,
         i,
-        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {here[0], here[1], here[2]},
+        [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             addKinematics(
                 total,
-                pack(load(p.V + j) * W.gradByDistance(rSqr)),
+                T(of[volume] * W.gradByDistance(rSqr)),
                 x_ij,
-                v_i - loadVec(p.u, p.v, p.w, j)
+                v_i - vectorOf(of + velocity)
             );
         }
     );
@@ -47,20 +69,30 @@ LPF_ONE_BODY void kinematicsOfParticle(
     store(total.R.x, p.R, i);
     store(total.R.y, p.R + 3, i);
     store(total.R.z, p.R + 6, i);
-    store({total.M.xx, total.M.xy, total.M.xz}, p.M, i);
-    store({total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
+    store(Vec<T>{total.M.xx, total.M.xy, total.M.xz}, p.M, i);
+    store(Vec<T>{total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
+}
+
+template<class Real>
+void kinematicsIn(const kinematicsPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
+    const pairsOf pairs(p, searchOf(p));
+    const double* const fields[8] = {
+        p.x, p.y, p.z, p.V, p.u, p.v, p.w, nullptr};
+    const Real* records = makeRecords(*pairs, where, fields);
+
+    forListed(
+        *pairs,
+        [&](int i)
+        { kinematicsOfParticle<Real>(p, W, *pairs, where, records, i); }
+    );
 }
 
 void kinematics(const kinematicsPass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-
-    forParticles(
-        p.cells,
-        p.cells,
-        [&](const runs& around, int i)
-        { kinematicsOfParticle(p, W, around, i); }
-    );
+    p.single ? kinematicsIn<float>(p) : kinematicsIn<double>(p);
 }
 
 //- What acts between particles besides the stress
@@ -71,69 +103,90 @@ enum class viscosity
     noise       //!< noise damping, with Monaghan's where alpha > 0
 };
 
+//- Length of the records of the force pass
+constexpr int forceFields(viscosity kind)
+{
+    return kind == viscosity::none       ? 16
+         : kind == viscosity::artificial ? 20
+                                         : 28;
+}
+
+template<class T>
+LPF_INLINE Tensor<T> tensorOf(const T* fields)
+{
+    return {vectorOf(fields), vectorOf(fields + 3), vectorOf(fields + 6)};
+}
+
 //- Adds the viscous terms of one pack; power is what they take [W/kg]
-template<viscosity kind>
-void addViscosity(
+template<viscosity kind, class Real, class T = packOf<Real>>
+LPF_INLINE void addViscosity(
     const forcePass& p,
-    const wendlandC2& W,
     int i,
-    int j,
-    const Vec<pack>& x_ij,
-    const pack& rSqr,
-    Vec<pack>& a,
-    pack& power
+    const T* of,
+    const Vec<T>& x_ij,
+    const T& rSqr,
+    const T& F,
+    Vec<T>& a,
+    T& power
 )
 {
-    const Vec<pack> v_ij =
-        broadcast(p.u, p.v, p.w, i) - loadVec(p.u, p.v, p.w, j);
-    const pack rhoMean = pack(0.5) * (pack(p.rho[i]) + load(p.rho + j));
-    const pack hC(p.h * p.soundSpeed), hSqr(p.h * p.h);
+    const T half = constant<T>(0.5);
+    const Vec<T> v_ij = own<Real>(p.u, p.v, p.w, i) - vectorOf(of + flow);
+    const T rhoMean = half * (own<Real>(p.rho[i]) + of[density]);
+    const T hSqr = own<Real>(p.h * p.h);
+    const double hC = p.h * p.soundSpeed;
 
-    pack Pi = artificialViscosity(
-        x_ij, v_ij, rSqr, pack(p.alpha) * hC, hSqr, rhoMean
+    T Pi = artificialViscosity(
+        x_ij, v_ij, rSqr, own<Real>(p.alpha * hC), hSqr, rhoMean
     );
     if constexpr (kind == viscosity::noise)
     {
-        const Tensor<pack> L_j = loadTensor(p.L, j);
-        const Tensor<pack> L_i = {
-            broadcast(p.L[0], p.L[1], p.L[2], i),
-            broadcast(p.L[3], p.L[4], p.L[5], i),
-            broadcast(p.L[6], p.L[7], p.L[8], i)};
-        const Vec<pack> w_ij = v_ij - pack(0.5) * ((L_i + L_j) & x_ij);
-        Pi += noiseDamping(x_ij, w_ij, rSqr, pack(p.beta) * hC, hSqr, rhoMean);
+        const Tensor<T> L_i = {
+            own<Real>(p.L[0], p.L[1], p.L[2], i),
+            own<Real>(p.L[3], p.L[4], p.L[5], i),
+            own<Real>(p.L[6], p.L[7], p.L[8], i)};
+        const Vec<T> w_ij =
+            v_ij - half * ((L_i + tensorOf(of + gradientL)) & x_ij);
+        Pi += noiseDamping(
+            x_ij, w_ij, rSqr, own<Real>(p.beta * hC), hSqr, rhoMean
+        );
     }
-    const pack mPiF =
-        load(p.m + j) * Pi * W.gradByDistance(rSqr) / pack(p.thickness);
+    const T mPiF = of[mass] * Pi * F * own<Real>(1 / p.thickness);
 
-    a += Vec<pack>{-mPiF * x_ij.x, -mPiF * x_ij.y, -mPiF * x_ij.z};
-    power += pack(0.5) * mPiF * (v_ij & x_ij);
+    a += Vec<T>{-mPiF * x_ij.x, -mPiF * x_ij.y, -mPiF * x_ij.z};
+    power += half * mPiF * (v_ij & x_ij);
 }
 
-template<viscosity kind>
+template<viscosity kind, class Real>
 LPF_ONE_BODY void forceOnParticle(
-    const forcePass& p, const wendlandC2& W, const runs& around, int i
+    const forcePass& p,
+    const wendlandC2& W,
+    const neighbourTable& pairs,
+    const places<Real>& where,
+    const Real* records,
+    int i
 )
 {
-    Force<pack> total = {};
-    Vec<pack> a = {};
-    pack power(0.0);
+    using T = packOf<Real>;
+    constexpr int count = forceFields(kind);
+    const Real* here = records + static_cast<std::size_t>(i) * count;
+    Force<T> total = {};
+    Vec<T> a = {};
+    T power(Real(0));
 
-    overNeighbours(
-        p,
-        W,
-        around,
+    overList<Real, count>(
+        pairs,
+        where,
+        records,
         i,
-        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {here[0], here[1], here[2]},
+        [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            addForce(
-                total,
-                pack(load(p.V + j) * W.gradByDistance(rSqr)),
-                x_ij,
-                loadTensor(p.A, j)
-            );
+            const T F = W.gradByDistance(rSqr);
+            addForce(total, T(of[volume] * F), x_ij, tensorOf(of + moment));
             if constexpr (kind != viscosity::none)
             {
-                addViscosity<kind>(p, W, i, j, x_ij, rSqr, a, power);
+                addViscosity<kind, Real>(p, i, of, x_ij, rSqr, F, a, power);
             }
         }
     );
@@ -158,17 +211,37 @@ LPF_ONE_BODY void forceOnParticle(
     }
 }
 
+template<viscosity kind, class Real>
+void forceIn(const forcePass& p)
+{
+    constexpr int count = forceFields(kind);
+    const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
+    const pairsOf pairs(p, searchOf(p));
+    const double* fields[count] = {p.x, p.y, p.z, p.V};
+    std::copy_n(p.A, 9, fields + moment);
+    if constexpr (kind != viscosity::none)
+    {
+        const double* const more[] = {p.u, p.v, p.w, p.rho, p.m};
+        std::copy_n(more, 5, fields + flow);
+    }
+    if constexpr (kind == viscosity::noise)
+    {
+        std::copy_n(p.L, 9, fields + gradientL);
+    }
+    const Real* records = makeRecords(*pairs, where, fields);
+
+    forListed(
+        *pairs,
+        [&](int i)
+        { forceOnParticle<kind, Real>(p, W, *pairs, where, records, i); }
+    );
+}
+
 template<viscosity kind>
 void force(const forcePass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-
-    forParticles(
-        p.cells,
-        p.cells,
-        [&](const runs& around, int i)
-        { forceOnParticle<kind>(p, W, around, i); }
-    );
+    p.single ? forceIn<kind, float>(p) : forceIn<kind, double>(p);
 }
 
 void anyForce(const forcePass& p)
@@ -187,16 +260,23 @@ void anyForce(const forcePass& p)
     }
 }
 
+//- A squared distance that nobody sees; above itself when rounded to float
+constexpr double farAway = 1e30;
+
 //- Nearest element so far in each lane
+template<class T>
 struct nearestLanes
 {
-    pack rSqr = pack(farAway), distance = pack(farAway);
-    Vec<pack> normal = {};
+    T rSqr = constant<T>(farAway), distance = constant<T>(farAway);
+    Vec<T> normal = {};
 
-    void
-    see(const pack& r2, const pack& d, const Vec<pack>& n, double outOfSight)
+    LPF_INLINE void
+    see(const typename T::mask_type& there,
+        const T& r2,
+        const T& d,
+        const Vec<T>& n)
     {
-        const packMask nearer = r2 < rSqr && d > pack(-outOfSight);
+        const auto nearer = there && r2 < rSqr;
         stdx::where(nearer, rSqr) = r2;
         stdx::where(nearer, distance) = d;
         stdx::where(nearer, normal.x) = n.x;
@@ -209,7 +289,7 @@ struct nearestLanes
         to.nearestSqr = farAway;
         to.distance = farAway;
         to.normal[0] = to.normal[1] = to.normal[2] = 0;
-        for (std::size_t k = 0; k < pack::size(); ++k)
+        for (std::size_t k = 0; k < T::size(); ++k)
         {
             if (rSqr[k] < to.nearestSqr)
             {
@@ -223,17 +303,18 @@ struct nearestLanes
     }
 };
 
-void store(const WallSums<pack>& from, wallRecord& to)
+template<class T>
+void store(const WallSums<T>& from, wallRecord& to)
 {
-    const SymmTensor3<pack> N = from.N3;
-    const pack N3[10] = {
+    const SymmTensor3<T> N = from.N3;
+    const T N3[10] = {
         N.xxx, N.xxy, N.xxz, N.xyy, N.xyz, N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
     for (int c = 0; c < 10; ++c)
     {
         to.N3[c] = lpfPairs::sum(N3[c]);
     }
-    const SymmTensor<pack> D = from.D2;
-    const pack D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
+    const SymmTensor<T> D = from.D2;
+    const T D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
     for (int c = 0; c < 6; ++c)
     {
         to.D2[c] = lpfPairs::sum(D2[c]);
@@ -251,39 +332,50 @@ enum class wallSums
     withShare3  //!< in three
 };
 
-template<wallSums kind, int layers>
+//- Fields of the records of surface elements
+enum elementField
+{
+    normal = 3,
+    area = 6,
+    friction = 7
+};
+
+template<wallSums kind, int layers, class Real>
 LPF_ONE_BODY void wallOfParticle(
-    const wallPass& p, const wendlandC2& W, const runs& around, int i
+    const wallPass& p,
+    const wendlandC2& W,
+    const neighbourTable& elements,
+    const places<Real>& where,
+    const Real* records,
+    int i
 )
 {
-    WallSums<pack> total = {};
-    nearestLanes nearest;
+    using T = packOf<Real>;
+    WallSums<T> total = {};
+    nearestLanes<T> nearest;
 
-    overPairs(
-        around,
-        broadcast(p.x, p.y, p.z, i),
-        p.ex,
-        p.ey,
-        p.ez,
-        W.supportSqr(),
-        [&](int q, const Vec<pack>& x_iq, const pack& rSqr)
+    overList<Real, 8>(
+        elements,
+        where,
+        records,
+        i,
+        {where.stored(p.x[i]), where.stored(p.y[i]), where.stored(p.z[i])},
+        [&](const T* of, const Vec<T>& x_iq, const T& rSqr)
         {
-            const Vec<pack> n = loadVec(p.nx, p.ny, p.nz, q);
-            const pack d = x_iq & n;
-            pack A = load(p.area + q);
-            stdx::where(!(d > pack(-p.behind)), A) = 0;
-            const LayerSums<pack> s =
-                layerSums<layers>(W, rSqr, d, p.layerDepth);
+            const Vec<T> n = vectorOf(of + normal);
+            const T d = x_iq & n;
+            const auto there =
+                of[area] > T(Real(0)) && d > own<Real>(-p.outOfSight);
+            const T A = onlyIf(d > own<Real>(-p.behind), of[area]);
+            const LayerSums<T> s = layerSums<layers>(W, rSqr, d, p.layerDepth);
 
-            addWall(
-                total, LayerSums<pack>{A * s.E, A * s.D}, n, load(p.mu + q)
-            );
+            addWall(total, LayerSums<T>{A * s.E, A * s.D}, n, of[friction]);
             if constexpr (kind != wallSums::plain)
             {
                 constexpr int D = kind == wallSums::withShare3 ? 3 : 2;
                 total.share += solidShare<D>(W, rSqr, d, A);
             }
-            nearest.see(rSqr, d, n, p.outOfSight);
+            nearest.see(there, rSqr, d, n);
         }
     );
 
@@ -292,31 +384,51 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
-template<wallSums kind, int layers>
+template<wallSums kind, int layers, class Real>
 void wallInLayers(const wallPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
+    const pairsOf near(
+        p, {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
+    );
+    const double* const fields[8] = {
+        p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu};
+    const neighbourTable& table = *near;
+    const auto size = (static_cast<std::size_t>(table.others) + 1) * 8;
+    // most steps find the elements as they were
+    const bool kept = p.version != 0 && table.recordsVersion == p.version;
+    const Real* records = kept ? table.records.room<Real>(size)
+                               : makeRecords(table, where, fields);
+    table.recordsVersion = p.version;
 
-    forParticles(
-        p.cells,
-        p.elements,
-        [&](const runs& around, int i)
+    forListed(
+        *near,
+        [&](int i)
         {
-            if (around.count > 0)
+            if (p.slot[i] >= 0)
             {
-                wallOfParticle<kind, layers>(p, W, around, i);
+                wallOfParticle<kind, layers, Real>(
+                    p, W, *near, where, records, i
+                );
             }
         }
     );
 }
 
 //- Layers that a particle can see over the ground that it may come near to
-template<wallSums kind>
-void wall(const wallPass& p)
+template<wallSums kind, class Real>
+void wallIn(const wallPass& p)
 {
     constexpr double rounding = 1 + 1e-9;
     const bool two = rounding * (2.5 * p.layerDepth + p.behind) >= 2 * p.h;
-    two ? wallInLayers<kind, 2>(p) : wallInLayers<kind, 3>(p);
+    two ? wallInLayers<kind, 2, Real>(p) : wallInLayers<kind, 3, Real>(p);
+}
+
+template<wallSums kind>
+void wall(const wallPass& p)
+{
+    p.single ? wallIn<kind, float>(p) : wallIn<kind, double>(p);
 }
 
 void anyWall(const wallPass& p)
@@ -333,34 +445,6 @@ void anyWall(const wallPass& p)
     {
         wall<wallSums::withShare2>(p);
     }
-}
-
-int wallSlots(const cellGrid& cells, const cellGrid& elements, int* slot)
-{
-    // first mark in parallel, then number in the order of the particles
-    forCells(
-        cells,
-        [&](int begin, int end, long cx, long cy, long cz)
-        {
-            const int near = runsAround(elements, cx, cy, cz).count;
-            for (int i = begin; i < end; ++i)
-            {
-                slot[i] = near > 0 ? 0 : -1;
-            }
-        }
-    );
-
-    const int n =
-        cells.start[static_cast<long>(cells.n[0]) * cells.n[1] * cells.n[2]];
-    int count = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        if (slot[i] == 0)
-        {
-            slot[i] = count++;
-        }
-    }
-    return count;
 }
 
 //- Independent multiply-adds in registers
@@ -395,13 +479,18 @@ double peak()
 const pairEngine engine = {
     LPF_ISA,
     nLanes,
+    lanesOf<float>,
+    newTable,
+    deleteTable,
+    searchPairs,
+    sizeOfTable,
     kinematics,
     anyForce,
     anyWall,
     waterContinuity,
     waterForce,
     smoothed,
-    wallSlots,
+    numberListed,
     peak};
 
 } // namespace

@@ -2,7 +2,7 @@
 // Passes over pairs of water. The physics is in waterTerms.H.
 
 #include "enginePasses.H"
-#include "pairLoops.H"
+#include "listLoops.H"
 #include "pairTerms.H"
 #include "waterTerms.H"
 #include "wendlandC2.H"
@@ -12,39 +12,57 @@ namespace lpfPairs
 namespace
 {
 
-template<bool withFill>
+//- Fields of the records of water
+enum waterField
+{
+    volume = 3,
+    velocity = 4,
+    density = 7,
+    pressure = 8,
+    mass = 9,
+    balsara = 10,
+    viscousEta = 11
+};
+
+template<bool withFill, class Real>
 LPF_ONE_BODY void continuityOfParticle(
-    const waterContinuityPass& p, const wendlandC2& W, const runs& around, int i
+    const waterContinuityPass& p,
+    const wendlandC2& W,
+    const neighbourTable& pairs,
+    const places<Real>& where,
+    const Real* records,
+    int i
 )
 {
-    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
-    const pack rho_i(p.rho[i]), rho0(p.rho0);
+    using T = packOf<Real>;
+    constexpr int count = 8;
+    const Real* here = records + static_cast<std::size_t>(i) * count;
+    const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
+    // differences of density from what both are near to
+    const T rho_i(here[density]), rho0(Real(0));
     const double* H = p.hydrostatic;
-    const Vec<pack> hydrostatic = {pack(H[0]), pack(H[1]), pack(H[2])};
-    Continuity<pack> total = {};
-    Filling<pack> filling = {};
+    const Vec<T> hydrostatic = own<Real>(H, H + 1, H + 2, 0);
+    Continuity<T> total = {};
+    Filling<T> filling = {};
 
-    overNeighbours(
-        p,
-        W,
-        around,
+    overList<Real, count>(
+        pairs,
+        where,
+        records,
         i,
-        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {here[0], here[1], here[2]},
+        [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            const pack VF =
-                pack(p.scale) * load(p.V + j) * W.gradByDistance(rSqr);
+            const T VF =
+                own<Real>(p.scale) * of[volume] * W.gradByDistance(rSqr);
             if constexpr (withFill)
             {
-                addFilling(
-                    filling, pack(load(p.V + j) * W.value(rSqr)), VF, x_ij
-                );
+                addFilling(filling, T(of[volume] * W.value(rSqr)), VF, x_ij);
             }
-            addVelocityGradient(
-                total, VF, x_ij, v_i - loadVec(p.u, p.v, p.w, j)
-            );
+            addVelocityGradient(total, VF, x_ij, v_i - vectorOf(of + velocity));
             // (x_j - x_i).gradW/r^2 = -F
             total.diffusion += densityDiffusion(
-                VF, x_ij, rho_i, load(p.rho + j), rho0, hydrostatic
+                VF, x_ij, rho_i, of[density], rho0, hydrostatic
             );
         }
     );
@@ -57,24 +75,34 @@ LPF_ONE_BODY void continuityOfParticle(
     if constexpr (withFill)
     {
         p.fill[i] = sum(filling.fill);
-        for (int c = 0; c < 3; ++c)
-        {
-            p.gradFill[c][i] = sum(filling.gradient, c);
-        }
+        store(filling.gradient, p.gradFill, i);
     }
+}
+
+template<bool withFill, class Real>
+void continuityIn(const waterContinuityPass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
+    const pairsOf pairs(p, searchOf(p));
+    const double* const fields[8] = {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho};
+    const Real* records = makeRecords(*pairs, where, fields, density, p.rho0);
+
+    forListed(
+        *pairs,
+        [&](int i) {
+            continuityOfParticle<withFill, Real>(
+                p, W, *pairs, where, records, i
+            );
+        }
+    );
 }
 
 template<bool withFill>
 void continuity(const waterContinuityPass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-
-    forParticles(
-        p.cells,
-        p.cells,
-        [&](const runs& around, int i)
-        { continuityOfParticle<withFill>(p, W, around, i); }
-    );
+    p.single ? continuityIn<withFill, float>(p)
+             : continuityIn<withFill, double>(p);
 }
 
 enum class friction
@@ -96,104 +124,113 @@ constexpr bool hasViscous(friction kind)
 }
 
 //- Powers lost at i per unit volume and mass
+template<class T>
 struct lostPower
 {
-    pack artificial = pack(0.0), viscous = pack(0.0);
+    T artificial = constant<T>(0), viscous = constant<T>(0);
 };
 
 //- What both kinds of friction need of a pair
+template<class T>
 struct pairOfWater
 {
-    int i, j;
-    Vec<pack> x, v; //!< differences
-    pack rSqr, F;
+    int i;
+    const T* of; //!< fields of j
+    Vec<T> x, v; //!< differences
+    T rSqr, F;
 };
 
-void addArtificial(
+template<class Real, class T>
+LPF_INLINE void addArtificial(
     const waterForcePass& p,
-    const pairOfWater& ij,
-    Vec<pack>& perMass,
-    lostPower& lost
+    const pairOfWater<T>& ij,
+    Vec<T>& perMass,
+    lostPower<T>& lost
 )
 {
-    const pack half(0.5);
-    const pack rhoMean = half * (pack(p.rho[ij.i]) + load(p.rho + ij.j));
-    const pack f = half * (pack(p.balsara[ij.i]) + load(p.balsara + ij.j));
-    const pack Pi = artificialViscosity(
+    const T half = constant<T>(0.5);
+    const T rhoMean = half * (own<Real>(p.rho[ij.i]) + ij.of[density]);
+    const T f = half * (own<Real>(p.balsara[ij.i]) + ij.of[balsara]);
+    const T Pi = artificialViscosity(
         ij.x,
         ij.v,
         ij.rSqr,
-        f * pack(p.alpha * p.h * p.soundSpeed),
-        pack(p.h * p.h),
+        T(f * own<Real>(p.alpha * p.h * p.soundSpeed)),
+        own<Real>(p.h * p.h),
         rhoMean
     );
-    const pack mPiF = load(p.m + ij.j) * Pi * ij.F / pack(p.thickness);
+    const T mPiF = ij.of[mass] * Pi * ij.F * own<Real>(1 / p.thickness);
     perMass += -mPiF * ij.x;
     lost.artificial += half * mPiF * (ij.v & ij.x);
 }
 
-void addViscous(
+template<class Real, class T>
+LPF_INLINE void addViscous(
     const waterForcePass& p,
-    const pairOfWater& ij,
-    Vec<pack>& perVolume,
-    lostPower& lost
+    const pairOfWater<T>& ij,
+    Vec<T>& perVolume,
+    lostPower<T>& lost
 )
 {
-    const pack factor = viscousFactor(
-        pack(load(p.V + ij.j) * ij.F),
-        pack(pack(p.eta[ij.i]) + load(p.eta + ij.j)),
-        pack(p.dimensions + 2.0),
+    const T factor = viscousFactor(
+        T(ij.of[volume] * ij.F),
+        T(own<Real>(p.eta[ij.i]) + ij.of[viscousEta]),
+        own<Real>(p.dimensions + 2.0),
         ij.x,
         ij.v,
         ij.rSqr,
-        pack(p.h * p.h)
+        own<Real>(p.h * p.h)
     );
     perVolume += factor * ij.x;
-    lost.viscous += pack(-0.5) * factor * (ij.v & ij.x);
+    lost.viscous += constant<T>(-0.5) * factor * (ij.v & ij.x);
 }
 
-template<friction kind>
+template<friction kind, class Real>
 LPF_ONE_BODY void forceOnWater(
-    const waterForcePass& p, const wendlandC2& W, const runs& around, int i
+    const waterForcePass& p,
+    const wendlandC2& W,
+    const neighbourTable& pairs,
+    const places<Real>& where,
+    const Real* records,
+    int i
 )
 {
-    const pack P_i(p.P[i]);
-    const Vec<pack> v_i = broadcast(p.u, p.v, p.w, i);
-    Vec<pack> total = {}, perMass = {}, perVolume = {};
-    lostPower lost;
+    using T = packOf<Real>;
+    constexpr int count = 12;
+    const Real* here = records + static_cast<std::size_t>(i) * count;
+    const T P_i = own<Real>(p.P[i]);
+    Vec<T> total = {}, perMass = {}, perVolume = {};
+    lostPower<T> lost;
 
-    overNeighbours(
-        p,
-        W,
-        around,
+    overList<Real, count>(
+        pairs,
+        where,
+        records,
         i,
-        [&](int j, const Vec<pack>& x_ij, const pack& rSqr)
+        {here[0], here[1], here[2]},
+        [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            const pack VF =
-                pack(p.scale) * load(p.V + j) * W.gradByDistance(rSqr);
-            addPressureForce(total, VF, P_i, load(p.P + j), x_ij);
+            const T F = W.gradByDistance(rSqr);
+            const T VF = own<Real>(p.scale) * of[volume] * F;
+            addPressureForce(total, VF, P_i, of[pressure], x_ij);
             if constexpr (kind != friction::none)
             {
-                const pairOfWater ij = {
-                    i,
-                    j,
-                    x_ij,
-                    v_i - loadVec(p.u, p.v, p.w, j),
-                    rSqr,
-                    W.gradByDistance(rSqr)};
+                const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
+                const pairOfWater<T> ij = {
+                    i, of, x_ij, v_i - vectorOf(of + velocity), rSqr, F};
                 if constexpr (hasArtificial(kind))
                 {
-                    addArtificial(p, ij, perMass, lost);
+                    addArtificial<Real>(p, ij, perMass, lost);
                 }
                 if constexpr (hasViscous(kind))
                 {
-                    addViscous(p, ij, perVolume, lost);
+                    addViscous<Real>(p, ij, perVolume, lost);
                 }
             }
         }
     );
 
-    const double volume = p.thickness * p.V[i], s = volume / p.m[i];
+    const double filled = p.thickness * p.V[i], s = filled / p.m[i];
     double* const a[3] = {p.ax + i, p.ay + i, p.az + i};
     for (int c = 0; c < 3; ++c)
     {
@@ -207,20 +244,31 @@ LPF_ONE_BODY void forceOnWater(
             *b[c] = s * sum(perVolume, c) + sum(perMass, c);
         }
         p.artificial[i] = p.m[i] * sum(lost.artificial);
-        p.viscous[i] = volume * sum(lost.viscous);
+        p.viscous[i] = filled * sum(lost.viscous);
     }
+}
+
+template<friction kind, class Real>
+void forceIn(const waterForcePass& p)
+{
+    const wendlandC2 W(p.h, p.dimensions);
+    const places<Real> where(p.h);
+    const pairsOf pairs(p, searchOf(p));
+    const double* const fields[12] = {
+        p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho, p.P, p.m, p.balsara, p.eta};
+    const Real* records = makeRecords(*pairs, where, fields);
+
+    forListed(
+        *pairs,
+        [&](int i)
+        { forceOnWater<kind, Real>(p, W, *pairs, where, records, i); }
+    );
 }
 
 template<friction kind>
 void force(const waterForcePass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-
-    forParticles(
-        p.cells,
-        p.cells,
-        [&](const runs& around, int i) { forceOnWater<kind>(p, W, around, i); }
-    );
+    p.single ? forceIn<kind, float>(p) : forceIn<kind, double>(p);
 }
 
 } // namespace

@@ -14,6 +14,8 @@
 
 #include <map>
 
+#include <omp.h>
+
 using namespace Foam;
 using namespace Foam::lpf;
 
@@ -70,7 +72,7 @@ elasticity someElasticity()
 //- How often each loop of an engine runs
 struct passCount
 {
-    int kinematics, force, wall, slots;
+    int kinematics, force, wall, slots, search;
 };
 
 passCount passes;
@@ -96,12 +98,16 @@ lpfPairs::pairEngine countingEngine()
         ++passes.wall;
         counted->wall(p);
     };
-    e.wallSlots = [](const lpfPairs::cellGrid& cells,
-                     const lpfPairs::cellGrid& elements,
-                     int* slot)
+    e.numberListed = [](const lpfPairs::neighbourTable* table, int* slot)
     {
         ++passes.slots;
-        return counted->wallSlots(cells, elements, slot);
+        return counted->numberListed(table, slot);
+    };
+    e.search =
+        [](const lpfPairs::searchPass& p, lpfPairs::neighbourTable* table)
+    {
+        ++passes.search;
+        counted->search(p, table);
     };
     return e;
 }
@@ -701,6 +707,7 @@ TEST_CASE("grain dynamics: bytes of a dry grain, passes of a step")
         CHECK(passes.force == k);
         CHECK(passes.wall == k);
         CHECK(passes.slots == k);
+        CHECK(passes.search == 2 * k); // among grains, and of the ground
         CHECK(s.stress->calls == k);
     }
     CHECK(grainDynamics::pairPasses == 2);
@@ -710,7 +717,11 @@ TEST_CASE("grain dynamics: bytes of a dry grain, passes of a step")
     // records of grains near the ground, and the cells
     const std::size_t nearGround =
         2 * static_cast<std::size_t>(d.nearGround()) * 400;
-    CHECK(d.bytes() <= (each + 8) * n + nearGround + 100000);
+    // lists of at most 112 neighbours, 48 elements and their places; records
+    // of both; blocks of memory begun by each thread
+    const std::size_t lists = n * (4 * (112 + 48) + 2 * 16 + 16 * 8 + 64)
+                            + 4u * omp_get_max_threads() * 131072;
+    CHECK(d.bytes() <= (each + 8) * n + lists + nearGround + 100000);
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "cellLattice.H"
 #include "engineLoader.H"
+#include "pairTable.H"
 #include "pairTerms.H"
 #include "sampleCase.H"
 #include "sampleGrains.H"
@@ -229,10 +230,13 @@ struct cloud
         }
     }
 
+    bool single = false; //!< ask for single precision
+
     template<class Pass>
     void fill(Pass& p) const
     {
         p = {};
+        p.single = single;
         p.cells = cells.grid;
         p.h = h;
         p.dimensions = dimensions;
@@ -463,9 +467,12 @@ results wallsBy(const pairEngine& engine, cloud& c)
     results all(25, c.n);
     lpfPairs::wallPass p = wallPassOf(c);
     p.withShare = true;
-    std::vector<lpfPairs::wallRecord> records(static_cast<std::size_t>(
-        engine.wallSlots(p.cells, p.elements, c.slot.data())
-    ));
+    lpfPairs::pairTable around(engine);
+    around.search({p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez});
+    std::vector<lpfPairs::wallRecord> records(
+        static_cast<std::size_t>(around.number(c.slot.data()))
+    );
+    p.pairs = around.get();
     p.sums = records.data();
     engine.wall(p);
     for (int i = 0; i < c.n; ++i)
@@ -760,6 +767,7 @@ results smoothedBy(const pairEngine* engine, const cloud& c, int count)
     results all(static_cast<std::size_t>(count), c.n);
     const wendlandC2 W(h, c.dimensions);
     lpfPairs::smoothPass p = {};
+    p.single = c.single;
     p.home = p.others = c.cells.grid;
     p.h = h;
     p.dimensions = c.dimensions;
@@ -943,6 +951,59 @@ TEST_CASE("pair engines: smoothing of every instruction set")
                         < 1e-13
                     );
                 }
+            }
+        }
+    );
+}
+
+
+//- Single precision has rounded, and by no more than it must. Groups of
+//  columns: [ends[0], ends[1]), ...
+void checkSingle(
+    const results& exact,
+    const results& got,
+    const std::vector<std::size_t>& ends
+)
+{
+    for (std::size_t k = 1; k < ends.size(); ++k)
+    {
+        const double apart = exact.apart(got, ends[k - 1], ends[k]);
+        CHECK(apart < 3e-5);
+        CHECK(apart > 1e-10);
+    }
+}
+
+
+TEST_CASE("pair engines: single precision beside double")
+{
+    const auto all = engines();
+    forScenes(
+        [&](cloud& c)
+        {
+            for (const pairEngine* engine : all)
+            {
+                INFO(engine->instructionSet);
+                const damping by = {"viscosity and noise", 0.03, 0.2};
+                const waterFriction friction = {"both", 0.03, true};
+                c.single = false;
+                const results kinematics = kinematicsOf(c, engine);
+                const results forces = forcesBy(*engine, c, by);
+                const results continuity = waterContinuityOf(c, engine);
+                const results water = waterForcesBy(*engine, c, friction);
+                const results smooth = smoothedBy(engine, c, 5);
+                const results walls = wallsBy(*engine, c);
+                c.single = true;
+                checkSingle(walls, wallsBy(*engine, c), {0, 10, 16, 18, 19});
+                checkSingle(kinematics, kinematicsOf(c, engine), {0, 9, 15});
+                checkSingle(forces, forcesBy(*engine, c, by), {0, 3, 4});
+                checkSingle(
+                    continuity, waterContinuityOf(c, engine), {0, 1, 2, 3, 4, 7}
+                );
+                checkSingle(
+                    water, waterForcesBy(*engine, c, friction), {0, 3, 6, 7, 8}
+                );
+                checkSingle(smooth, smoothedBy(engine, c, 5), {0, 5});
+                c.single = false;
             }
         }
     );
