@@ -107,6 +107,8 @@ def hopper():
         "lattice": ((c, 0, -s), (s, 0, c), (0, 0, L * s)),
         "fill": (at(0, 0, 0), at(L, width, tall), 0.6 * L * width * tall),
         "H": 0.8 * tall,
+        # of the square, which the surface cuts from wall to wall
+        "surface": 0.5 * (L * s + tall * c) + 0.1 * tall * c,
         "height": lambda x, y: -1e9 if x > L * c else (L - x / c) * s,
     }
 
