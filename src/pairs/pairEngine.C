@@ -400,6 +400,8 @@ const pairEngine engine = {
     anyWall,
     waterContinuity,
     waterForce,
+    viscousForce,
+    stickToGround,
     smoothed,
     wallSlots,
     peak};

@@ -12,7 +12,7 @@ namespace lpfPairs
 namespace
 {
 
-template<bool withFill>
+template<bool withFill, bool withStrain>
 LPF_ONE_BODY void continuityOfParticle(
     const waterContinuityPass& p, const wendlandC2& W, const runs& around, int i
 )
@@ -23,6 +23,12 @@ LPF_ONE_BODY void continuityOfParticle(
     const Vec<pack> hydrostatic = {pack(H[0]), pack(H[1]), pack(H[2])};
     Continuity<pack> total = {};
     Filling<pack> filling = {};
+    SymmTensor<pack> strain = {};
+    [[maybe_unused]] Vec<pack> U_i = {};
+    if constexpr (withStrain)
+    {
+        U_i = broadcast(p.U[0], p.U[1], p.U[2], i);
+    }
 
     overNeighbours(
         p,
@@ -42,6 +48,12 @@ LPF_ONE_BODY void continuityOfParticle(
             addVelocityGradient(
                 total, VF, x_ij, v_i - loadVec(p.u, p.v, p.w, j)
             );
+            if constexpr (withStrain)
+            {
+                addStrain(
+                    strain, VF, x_ij, U_i - loadVec(p.U[0], p.U[1], p.U[2], j)
+                );
+            }
             // (x_j - x_i).gradW/r^2 = -F
             total.diffusion += densityDiffusion(
                 VF, x_ij, rho_i, load(p.rho + j), rho0, hydrostatic
@@ -62,9 +74,14 @@ LPF_ONE_BODY void continuityOfParticle(
             p.gradFill[c][i] = sum(filling.gradient, c);
         }
     }
+    if constexpr (withStrain)
+    {
+        store({strain.xx, strain.xy, strain.xz}, p.strain, i);
+        store({strain.yy, strain.yz, strain.zz}, p.strain + 3, i);
+    }
 }
 
-template<bool withFill>
+template<bool withFill, bool withStrain>
 void continuity(const waterContinuityPass& p)
 {
     const wendlandC2 W(p.h, p.dimensions);
@@ -73,7 +90,7 @@ void continuity(const waterContinuityPass& p)
         p.cells,
         p.cells,
         [&](const runs& around, int i)
-        { continuityOfParticle<withFill>(p, W, around, i); }
+        { continuityOfParticle<withFill, withStrain>(p, W, around, i); }
     );
 }
 
@@ -227,7 +244,14 @@ void force(const waterForcePass& p)
 
 void waterContinuity(const waterContinuityPass& p)
 {
-    p.fill ? continuity<true>(p) : continuity<false>(p);
+    if (p.strain[0])
+    {
+        p.fill ? continuity<true, true>(p) : continuity<false, true>(p);
+    }
+    else
+    {
+        p.fill ? continuity<true, false>(p) : continuity<false, false>(p);
+    }
 }
 
 void waterForce(const waterForcePass& p)
