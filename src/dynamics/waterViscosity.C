@@ -177,32 +177,43 @@ scalar waterViscosity::stiffest() const
     );
 }
 
-//- sum m |u - mean|^2; of all the motion where the ground holds it
-scalar waterViscosity::motion(const realArrays<3>& u) const
+//- sum m |u - from|^2
+scalar waterViscosity::motion(const realArrays<3>& u, const vector& from) const
+{
+    return orderedSum<sumOf<scalar>>(
+               water_.size(),
+               [&](int i) {
+                   return sumOf<scalar>{
+                       water_.mass[i] * magSqr(at(u, i) - from)};
+               }
+    ).value;
+}
+
+//- Mean velocity by mass; zero where the ground is what motion is against
+vector waterViscosity::reference(const realArrays<3>& u) const
 {
     struct sums
     {
-        scalar mass = 0, energy = 0;
+        scalar mass = 0;
         vector momentum = Zero;
 
         void operator+=(const sums& b)
         {
             mass += b.mass;
-            energy += b.energy;
             momentum += b.momentum;
         }
     };
+    if (sticks_)
+    {
+        return Zero;
+    }
     const sums s = orderedSum<sums>(
         water_.size(),
-        [&](int i)
-        {
-            const scalar m = water_.mass[i];
-            const vector v = at(u, i);
-            return sums{m, m * magSqr(v), m * v};
+        [&](int i) {
+            return sums{water_.mass[i], water_.mass[i] * at(u, i)};
         }
     );
-    const scalar ofMean = magSqr(s.momentum) / max(s.mass, VSMALL);
-    return sticks_ ? s.energy : max(scalar(0), s.energy - ofMean);
+    return s.momentum / max(s.mass, VSMALL);
 }
 
 scalar waterViscosity::advance(realArrays<3>& u, scalar alpha, scalar dt)
@@ -222,53 +233,63 @@ scalar waterViscosity::advance(realArrays<3>& u, scalar alpha, scalar dt)
     ).value;
 }
 
-// Conjugate gradients for (m - dt L) u = m u* from u = u*           (T 5.22)
-int waterViscosity::solve(scalar dt)
+// Residual and direction at u*; returns r.r/m
+scalar waterViscosity::begin(realArrays<3>& u, scalar dt)
 {
     const int n = water_.size();
-    realArrays<3>& u = water_.U;
     lpf::resize(residual_, n);
     lpf::resize(direction_, n);
     padZero(direction_, n);
-    const scalar moving = motion(u);
     apply(u);
-    const scalar start =
-        orderedSum<sumOf<scalar>>(
-            n,
-            [&](int i)
-            {
-                const vector r = dt * at(force_, i);
-                set(residual_, i, r);
-                set(direction_, i, r / water_.mass[i]);
-                return sumOf<scalar>{magSqr(r) / water_.mass[i]};
-            }
-        ).value;
-    const scalar enough = sqr(closeEnough) * min(start, moving);
+    return orderedSum<sumOf<scalar>>(
+               n,
+               [&](int i)
+               {
+                   const vector r = dt * at(force_, i);
+                   set(residual_, i, r);
+                   set(direction_, i, r / water_.mass[i]);
+                   return sumOf<scalar>{magSqr(r) / water_.mass[i]};
+               }
+    ).value;
+}
+
+//- p.(m - dt L) p of the direction
+scalar waterViscosity::curvature(scalar dt)
+{
+    apply(direction_);
+    return orderedSum<sumOf<scalar>>(
+               water_.size(),
+               [&](int i)
+               {
+                   const vector p = at(direction_, i);
+                   return sumOf<scalar>{
+                       p & (water_.mass[i] * p - dt * at(force_, i))};
+               }
+    ).value;
+}
+
+// Conjugate gradients for (m - dt L) u = m u* from u = u*           (T 5.22)
+int waterViscosity::solve(scalar dt)
+{
+    realArrays<3>& u = water_.U;
+    const scalar moving = motion(u, reference(u));
+    // below the rounding of u itself there is nothing to gain
+    const scalar rounding = sqr(SMALL) * motion(u, Zero);
+    const scalar start = begin(u, dt);
+    const scalar enough = max(rounding, sqr(closeEnough) * min(start, moving));
     scalar left = start;
     int k = 0;
-    // below the rounding of u itself there is nothing to gain
-    while (left > enough && left > sqr(SMALL) * moving && k < mostIterations)
+    while (left > enough && k < mostIterations)
     {
         ++k;
-        apply(direction_);
-        const scalar curvature =
-            orderedSum<sumOf<scalar>>(
-                n,
-                [&](int i)
-                {
-                    const vector p = at(direction_, i);
-                    return sumOf<scalar>{
-                        p & (water_.mass[i] * p - dt * at(force_, i))};
-                }
-            ).value;
         const scalar before = left;
-        left = advance(u, before / curvature, dt);
+        left = advance(u, before / curvature(dt), dt);
         const scalar beta = left / before;
         forChunks(
-            n,
-            [&](int begin, int end, int)
+            water_.size(),
+            [&](int from, int end, int)
             {
-                for (int i = begin; i < end; ++i)
+                for (int i = from; i < end; ++i)
                 {
                     set(direction_,
                         i,

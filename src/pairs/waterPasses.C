@@ -12,6 +12,17 @@ namespace lpfPairs
 namespace
 {
 
+//- By value, as store()
+inline void
+storeFilling(const waterContinuityPass& p, Filling<pack> filling, int i)
+{
+    p.fill[i] = sum(filling.fill);
+    for (int c = 0; c < 3; ++c)
+    {
+        p.gradFill[c][i] = sum(filling.gradient, c);
+    }
+}
+
 template<bool withFill, bool withStrain>
 LPF_ONE_BODY void continuityOfParticle(
     const waterContinuityPass& p, const wendlandC2& W, const runs& around, int i
@@ -68,11 +79,7 @@ LPF_ONE_BODY void continuityOfParticle(
     p.diffusion[i] = sum(total.diffusion);
     if constexpr (withFill)
     {
-        p.fill[i] = sum(filling.fill);
-        for (int c = 0; c < 3; ++c)
-        {
-            p.gradFill[c][i] = sum(filling.gradient, c);
-        }
+        storeFilling(p, filling, i);
     }
     if constexpr (withStrain)
     {

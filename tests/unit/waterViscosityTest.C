@@ -401,6 +401,13 @@ TEST_CASE("implicit viscosity: a block that turns is left alone")
     const double before = b.kinetic();
     b.step(1);
     CHECK(b.kinetic() == Approx(before).epsilon(1e-6));
+
+    // and one that falls, with rounding for all its shear
+    randomNumbers random(5);
+    b.setU([&](const vector&)
+           { return vector(0, 0, -50) + random.inCube(1e-13); });
+    b.step(1);
+    CHECK(b.dynamics.iterations() < 1000);
 }
 
 
