@@ -131,7 +131,7 @@ void caseRun::takeStep()
     }
 
     flow_.kick(0.5 * dt);
-    flow_.drag(0.5 * (dtBefore + dt));
+    flow_.relax(0.5 * (dtBefore + dt));
     flow_.drift(dt, control_.time);
     control_.advance();
 
@@ -211,7 +211,13 @@ void caseRun::logStep()
          << rate << " particle-steps/s, at most " << secondsLeft << " s left"
          << nl << "max speed " << flow_.maxSpeed() << " m/s, moving mass "
          << 100 * flow_.movingMassShare(stop_.speed) << " %, kinetic energy "
-         << now_.kinetic << " J" << nl << "ExecutionTime = " << total.count()
+         << now_.kinetic << " J" << nl;
+    if (flow_.water && flow_.water->implicitViscosity())
+    {
+        Info << "implicit viscosity: " << flow_.water->iterations()
+             << " iterations" << nl;
+    }
+    Info << "ExecutionTime = " << total.count()
          << " s  ClockTime = " << total.count() << " s" << nl << endl;
 }
 

@@ -341,11 +341,8 @@ void caseRun::readMaterials()
                 "water",
                 "write water { rho 1000; NewtonianCoeffs { mu 1e-3; } }"
             ),
-            {"rho",
-             "equationOfState",
-             "TaitCoeffs",
-             "viscosity",
-             "NewtonianCoeffs"}
+            {"rho", "equationOfState", "TaitCoeffs", "viscosity"},
+            viscosityModel::names()
         );
     }
 }
@@ -508,7 +505,11 @@ void caseRun::readWaterScheme(const dictionary& dict)
         {"artificialViscosity",
          "densityDiffusion",
          "densityRelaxation",
-         "shifting"}
+         "shifting",
+         "viscosityIntegration"}
+    );
+    viscosityIntegration_ = readChoice(
+        dict, "viscosityIntegration", {"auto", "explicit", "implicit"}, "auto"
     );
     bounds alpha;
     alpha.lower = 0;
@@ -666,6 +667,8 @@ void caseRun::makeWater(const lpfPairs::pairEngine& engine)
     }
     flow_.state.reset(equationOfState::New(phase, sound).ptr());
     flow_.viscosity.reset(viscosityModel::New(phase).ptr());
+    chooseViscosityIntegration();
+    checkStick();
     flow_.water.reset(new waterDynamics(
         engine,
         waterScene_,
@@ -675,6 +678,34 @@ void caseRun::makeWater(const lpfPairs::pairEngine& engine)
         *contact_,
         has("grains")
     ));
+}
+
+// auto: implicit where the explicit step would be shorter than that of sound
+void caseRun::chooseViscosityIntegration()
+{
+    const scalar mu = flow_.viscosity->largest();
+    const scalar c = flow_.state->c0() + maxSpeed_;
+    const scalar soundStep = waterScheme_.CFL * waterScene_.h / c;
+    const scalar viscousStep =
+        0.125 * sqr(waterScene_.h) * flow_.state->rho0() / max(mu, VSMALL);
+    waterScheme_.implicitViscosity =
+        mu > 0
+        && (viscosityIntegration_ == "implicit"
+            || (viscosityIntegration_ == "auto" && viscousStep < soundStep));
+}
+
+void caseRun::checkStick() const
+{
+    if (contact_->anyStick() && !(flow_.viscosity->largest() > 0))
+    {
+        refuse(
+            boundary_,
+            "zones",
+            "Water sticks to a zone (waterFriction noSlip), but its viscosity "
+            "is 0: it would feel nothing of it. Write a viscosity in "
+            "constant/phaseProperties, or waterFriction none"
+        );
+    }
 }
 
 void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
@@ -704,13 +735,15 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
     positive.reason = "drag needs the size of the grains, e.g. 0.005 m";
     const scalar diameter =
         readNumber(phases_.subDict("grains"), "diameter", dimLength, positive);
-    positive.reason = "drag needs a viscosity, water has 1e-3 Pa s";
     if (!(flow_.viscosity->molecular() > 0))
     {
+        const word model(flow_.viscosity->type());
         refuse(
-            phases_.subDict("water").subOrEmptyDict("NewtonianCoeffs"),
+            phases_.subDict("water").subOrEmptyDict(model + "Coeffs"),
             "mu",
-            "mu = 0, but drag needs a viscosity; water has 1e-3 Pa s"
+            "The viscosity of the liquid around a grain is 0, but drag needs "
+            "one; water has 1e-3 Pa s. Write mu (Newtonian), muP (Bingham), "
+            "muInf (Casson) or muDrag (HerschelBulkleyPapanastasiou)"
         );
     }
     flow_.coupling.reset(new interphase(
@@ -796,14 +829,16 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
     {
         Info << "Water: " << flow_.state->type() << ", c0 " << flow_.state->c0()
              << " m/s; " << flow_.viscosity->type() << ", mu "
-             << flow_.viscosity->largest() << " Pa s" << nl << "Spacing "
-             << waterScene_.spacing << " m, smoothing length " << waterScene_.h
-             << " m, " << waterScene_.dimensions << " dimensions" << nl
-             << "Artificial viscosity " << waterScheme_.artificialViscosity
-             << ", density diffusion " << waterScheme_.densityDiffusion
-             << ", density relaxation " << waterScheme_.densityRelaxation
-             << ", shifting " << waterScheme_.shifting << ", CFL "
-             << waterScheme_.CFL << nl;
+             << (flow_.viscosity->needsShearRate() ? "at most " : "")
+             << flow_.viscosity->largest() << " Pa s"
+             << (waterScheme_.implicitViscosity ? ", implicit" : "") << nl
+             << "Spacing " << waterScene_.spacing << " m, smoothing length "
+             << waterScene_.h << " m, " << waterScene_.dimensions
+             << " dimensions" << nl << "Artificial viscosity "
+             << waterScheme_.artificialViscosity << ", density diffusion "
+             << waterScheme_.densityDiffusion << ", density relaxation "
+             << waterScheme_.densityRelaxation << ", shifting "
+             << waterScheme_.shifting << ", CFL " << waterScheme_.CFL << nl;
     }
     if (flow_.coupling)
     {

@@ -69,8 +69,12 @@ void flow::kick(scalar dt)
     }
 }
 
-void flow::drag(scalar dt)
+void flow::relax(scalar dt)
 {
+    if (water)
+    {
+        water->relaxViscosity(dt);
+    }
     if (coupling)
     {
         coupling->drag(dt);
@@ -221,7 +225,7 @@ std::size_t flow::bytes() const
 int flow::pairPasses() const
 {
     return (grains ? grainDynamics::pairPasses : 0)
-         + (water ? waterDynamics::pairPasses : 0)
+         + (water ? water->pairPasses() : 0)
          + (coupling ? interphase::pairPasses : 0);
 }
 

@@ -13,13 +13,16 @@ namespace
 
 groundZone readZone(const dictionary& dict)
 {
-    allowOnly(dict, {"friction", "mu", "ru", "opensAt"});
+    allowOnly(dict, {"friction", "mu", "ru", "waterFriction", "opensAt"});
     groundZone zone;
 
     bounds time;
     time.lower = 0;
     time.reason = "a zone opens at a time of the run";
     zone.opensAt = readNumber(dict, "opensAt", dimTime, time, GREAT);
+
+    zone.noSlip = readChoice(dict, "waterFriction", {"none", "noSlip"}, "none")
+               == "noSlip";
 
     if (readChoice(dict, "friction", {"Coulomb", "none"}) == "none")
     {
@@ -143,6 +146,10 @@ void groundContact::takeElements(const surfaceElements& all)
     {
         f->resize(size_);
     }
+    if (anyStick())
+    {
+        stickArea_.resize(size_);
+    }
     forAll (all.x, q)
     {
         const scalar A = mag(all.nA[q]);
@@ -155,6 +162,11 @@ void groundContact::takeElements(const surfaceElements& all)
         set(n_, q, all.nA[q] / A);
         area_[q] = A / width;
         mu_[q] = effectiveFriction(all.zone[q]);
+        if (anyStick())
+        {
+            const auto zone = static_cast<std::size_t>(all.zone[q]);
+            stickArea_[q] = zones_[zone].noSlip ? area_[q] : 0;
+        }
     }
 }
 
@@ -169,8 +181,13 @@ void groundContact::sort(const cellLattice& lattice)
     }
     realArray sorted;
     sorted.resize(size_);
-    for (auto* f :
-         {&x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_})
+    std::vector<realArray*> all = {
+        &x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_};
+    if (anyStick())
+    {
+        all.push_back(&stickArea_);
+    }
+    for (realArray* f : all)
     {
         for (int q = 0; q < size_; ++q)
         {
@@ -182,13 +199,15 @@ void groundContact::sort(const cellLattice& lattice)
 
 std::size_t groundContact::bytes() const
 {
-    return 8 * area_.bytes() + cells_.start.size() * sizeof(int);
+    return 8 * area_.bytes() + stickArea_.bytes()
+         + cells_.start.size() * sizeof(int);
 }
 
-void groundContact::present(lpfPairs::wallPass& pass) const
+// A cyclic direction has no images of the ground: it extends beyond
+template<class Pass>
+void groundContact::presentElements(Pass& pass) const
 {
     pass.elements = cells_.grid;
-    // a cyclic direction has no images of the ground: it extends beyond
     for (double& period : pass.elements.period)
     {
         period = 0;
@@ -199,9 +218,20 @@ void groundContact::present(lpfPairs::wallPass& pass) const
     pass.nx = n_[0].data();
     pass.ny = n_[1].data();
     pass.nz = n_[2].data();
+}
+
+void groundContact::present(lpfPairs::wallPass& pass) const
+{
+    presentElements(pass);
     pass.area = area_.data();
     pass.mu = mu_.data();
     pass.version = version_;
+}
+
+void groundContact::present(lpfPairs::stickPass& pass) const
+{
+    presentElements(pass);
+    pass.area = stickArea_.data();
 }
 
 groundHit groundContact::signedDistance(const point& x, scalar radius) const

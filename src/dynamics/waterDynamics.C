@@ -44,7 +44,7 @@ waterDynamics::waterDynamics(
           scene.spacing,
           scene.dimensions
       )),
-      surface_(scene.dimensions),
+      largestMu_(viscosity.largest()), surface_(scene.dimensions),
       latticeFill_(lpfPairs::latticeFill(
           lpfPairs::wendlandC2(scene.h, scene.dimensions),
           scene.spacing,
@@ -52,6 +52,12 @@ waterDynamics::waterDynamics(
       )),
       water(withGrains)
 {
+    const bool byRate = viscosity.needsShearRate();
+    if (viscosity.largest() > 0
+        && (byRate || scheme.implicitViscosity || contact.anyStick()))
+    {
+        viscous_.reset(new waterViscosity(engine, scene_, contact, water));
+    }
 }
 
 void waterDynamics::densityFromPressure(const scalarField& saturation)
@@ -69,6 +75,12 @@ void waterDynamics::arrange(scalar time)
     sort();
     seeGround(true);
     near_.resize(walls_.size());
+    if (viscous_)
+    {
+        viscous_->seeGround(
+            cells(), pairs_.get(), elementsAround_.get(), slot_, nSlots_
+        );
+    }
 }
 
 // O = m/max(rho_f, rho0/2): the volume of the water in a particle
@@ -148,8 +160,61 @@ void waterDynamics::divergence()
     p.divergence = water.rate.data();
     p.curl = water.curl.data();
     p.diffusion = water.diffusion.data();
+    const bool byRate = viscous_ && viscosity_.needsShearRate();
+    if (byRate)
+    {
+        lpf::resize(strain_, water.size());
+        for (std::size_t c = 0; c < 6; ++c)
+        {
+            p.strain[c] = strain_[c].data();
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            p.U[c] = water.U[c].data();
+        }
+    }
     engine_.waterContinuity(p);
     addGround();
+    if (byRate)
+    {
+        shearRates();
+    }
+}
+
+// Behind the ground the velocity goes on as its mirror image, where water
+// sticks to it linearly through zero:
+//     D += 2 sum_q A E (v.n) n n + symm(v_t g),  gamma = sqrt(2 D:D)
+//                                                                   (T 5.16)
+void waterDynamics::shearRates()
+{
+    shearRate_.resize(water.size());
+    lpfPairs::forChunks(
+        water.size(),
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                Symm D = symmAt(strain_, i);
+                if (slot_[i] >= 0)
+                {
+                    const vector v = at(water.U, i);
+                    const auto slot = static_cast<std::size_t>(slot_[i]);
+                    const vector g = viscous_->groundGradient(i);
+                    const scalar square = magSqr(g);
+                    const vector along =
+                        square > 0 ? vector(v - (v & g) / square * g) : v;
+                    D += (thirdMoment(walls_[slot])
+                          & toVec(2 * gradientScale_ * v))
+                       + symm(outer(toVec(gradientScale_ * along), toVec(g)));
+                }
+                shearRate_[i] = std::sqrt(
+                    2
+                    * (D.xx * D.xx + D.yy * D.yy + D.zz * D.zz
+                       + 2 * (D.xy * D.xy + D.xz * D.xz + D.yz * D.yz))
+                );
+            }
+        }
+    );
 }
 
 // The velocity goes on behind the ground as its mirror image, so that
@@ -224,7 +289,12 @@ void waterDynamics::viscosityOfMixture()
 {
     const int n = water.size();
     eta_.resize(n);
-    viscosity_.mu(n, eta_.data());
+    const bool byRate = viscosity_.needsShearRate();
+    viscosity_.mu(n, byRate ? shearRate_.data() : nullptr, eta_.data());
+    if (byRate)
+    {
+        largestMu_ = lpfPairs::largest(n, [&](int i) { return eta_[i]; });
+    }
     if (withGrains_)
     {
         lpfPairs::forEach(n, [&](int i) { eta_[i] *= water.theta[i]; });
@@ -266,7 +336,7 @@ lpfPairs::waterForcePass waterDynamics::forcePass()
     if (viscosity_.largest() > 0)
     {
         viscosityOfMixture();
-        p.eta = eta_.data();
+        p.eta = viscous_ ? nullptr : eta_.data();
     }
     return p;
 }
@@ -344,7 +414,37 @@ void waterDynamics::accelerations()
                 n, [&](int i) { return sumOf<scalar>{water.viscous[i]}; }
             ).value;
     }
+    if (viscous_)
+    {
+        viscous_->setEta(eta_);
+        if (!scheme_.implicitViscosity)
+        {
+            explicitViscosity(pass.alpha > 0);
+        }
+    }
     addForcesOfGround();
+}
+
+void waterDynamics::explicitViscosity(bool add)
+{
+    const waterViscosity::totals sums = viscous_->accelerate(add);
+    viscousPower_ = sums.power;
+    stickForce_ = sums.ground;
+}
+
+void waterDynamics::relaxViscosity(scalar dt)
+{
+    if (!viscous_ || !scheme_.implicitViscosity)
+    {
+        return;
+    }
+    const waterViscosity::change sums = viscous_->relax(dt);
+    ledger.viscous += sums.work;
+    if (viscous_->sticks())
+    {
+        // pairs add nothing to the sum: all of it is the ground's
+        ledger.frictionImpulse += sums.impulse;
+    }
 }
 
 void waterDynamics::rates(scalar dt, scalar time)
@@ -413,17 +513,20 @@ void waterDynamics::kick(scalar dt)
     ledger.wallTension += sums.correction;
     ledger.artificial += artificialPower_ * dt;
     ledger.viscous += viscousPower_ * dt;
+    ledger.frictionImpulse += dt * stickForce_;
 }
 
 timeStepLimit waterDynamics::stableDeltaT() const
 {
     timeStepLimit limit = waveLimit(scheme_.CFL, state_.c0(), "sound");
-    if (viscosity_.largest() > 0)
+    if (largestMu_ > 0 && !scheme_.implicitViscosity)
     {
-        limit.take(
-            {0.125 * sqr(scene_.h) * state_.rho0() / viscosity_.largest(),
-             "viscosity"}
-        );
+        scalar viscous = 0.125 * sqr(scene_.h) * state_.rho0() / largestMu_;
+        if (viscous_ && viscous_->sticks())
+        {
+            viscous /= 1 + 0.5 * viscous * viscous_->stiffest();
+        }
+        limit.take({viscous, "viscosity"});
     }
     return limit;
 }
@@ -446,7 +549,9 @@ scalar waterDynamics::storedEnergy(int i) const
 std::size_t waterDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + eta_.bytes() + fill_.bytes() + lpf::bytes(gradFill_);
+         + eta_.bytes() + fill_.bytes() + lpf::bytes(gradFill_)
+         + lpf::bytes(strain_) + shearRate_.bytes()
+         + (viscous_ ? viscous_->bytes() : 0);
 }
 
 } // namespace lpf

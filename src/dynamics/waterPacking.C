@@ -67,7 +67,7 @@ scalar waterDynamics::relaxation(int i) const
 
 // Towards where there are fewer particles, in the depth of the water:
 //     v_s = - A (c0/10) h gradS (1 - 10 gam') (P/(rho0 |g| h) - 1),
-// both brackets within 0 and 1                                       (T 5.15)
+// both brackets within 0 and 1                                       (T 5.23)
 vector waterDynamics::shiftVelocity(int i) const
 {
     constexpr scalar surfaceShare = 0.1, shallow = 1, Mach = 0.1;

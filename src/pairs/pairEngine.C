@@ -489,6 +489,8 @@ const pairEngine engine = {
     anyWall,
     waterContinuity,
     waterForce,
+    viscousForce,
+    stickToGround,
     smoothed,
     numberListed,
     peak};

@@ -24,7 +24,16 @@ enum waterField
     viscousEta = 11
 };
 
-template<bool withFill, class Real>
+//- Length of the records of the continuity pass: the velocity of the water
+//itself
+//  comes after the flux, and fills whole packs
+constexpr int continuityFields(bool withStrain)
+{
+    return withStrain ? 12 : 8;
+}
+constexpr int ownVelocity = 8;
+
+template<bool withFill, bool withStrain, class Real>
 LPF_ONE_BODY void continuityOfParticle(
     const waterContinuityPass& p,
     const wendlandC2& W,
@@ -35,7 +44,7 @@ LPF_ONE_BODY void continuityOfParticle(
 )
 {
     using T = packOf<Real>;
-    constexpr int count = 8;
+    constexpr int count = continuityFields(withStrain);
     const Real* here = records + static_cast<std::size_t>(i) * count;
     const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
     // differences of density from what both are near to
@@ -44,6 +53,12 @@ LPF_ONE_BODY void continuityOfParticle(
     const Vec<T> hydrostatic = own<Real>(H, H + 1, H + 2, 0);
     Continuity<T> total = {};
     Filling<T> filling = {};
+    SymmTensor<T> strain = {};
+    [[maybe_unused]] Vec<T> U_i = {};
+    if constexpr (withStrain)
+    {
+        U_i = own<Real>(p.U[0], p.U[1], p.U[2], i);
+    }
 
     overList<Real, count>(
         pairs,
@@ -60,6 +75,10 @@ LPF_ONE_BODY void continuityOfParticle(
                 addFilling(filling, T(of[volume] * W.value(rSqr)), VF, x_ij);
             }
             addVelocityGradient(total, VF, x_ij, v_i - vectorOf(of + velocity));
+            if constexpr (withStrain)
+            {
+                addStrain(strain, VF, x_ij, U_i - vectorOf(of + ownVelocity));
+            }
             // (x_j - x_i).gradW/r^2 = -F
             total.diffusion += densityDiffusion(
                 VF, x_ij, rho_i, of[density], rho0, hydrostatic
@@ -77,32 +96,53 @@ LPF_ONE_BODY void continuityOfParticle(
         p.fill[i] = sum(filling.fill);
         store(filling.gradient, p.gradFill, i);
     }
+    if constexpr (withStrain)
+    {
+        store(Vec<T>{strain.xx, strain.xy, strain.xz}, p.strain, i);
+        store(Vec<T>{strain.yy, strain.yz, strain.zz}, p.strain + 3, i);
+    }
 }
 
-template<bool withFill, class Real>
+template<bool withFill, bool withStrain, class Real>
 void continuityIn(const waterContinuityPass& p)
 {
+    constexpr int count = continuityFields(withStrain);
     const wendlandC2 W(p.h, p.dimensions);
     const places<Real> where(p.h);
     const pairsOf pairs(p, searchOf(p));
-    const double* const fields[8] = {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho};
+    const double* const all[12] = {
+        p.x,
+        p.y,
+        p.z,
+        p.V,
+        p.u,
+        p.v,
+        p.w,
+        p.rho,
+        p.U[0],
+        p.U[1],
+        p.U[2],
+        nullptr};
+    const double* fields[count];
+    std::copy_n(all, count, fields);
     const Real* records = makeRecords(*pairs, where, fields, density, p.rho0);
 
     forListed(
         *pairs,
-        [&](int i) {
-            continuityOfParticle<withFill, Real>(
+        [&](int i)
+        {
+            continuityOfParticle<withFill, withStrain, Real>(
                 p, W, *pairs, where, records, i
             );
         }
     );
 }
 
-template<bool withFill>
+template<bool withFill, bool withStrain>
 void continuity(const waterContinuityPass& p)
 {
-    p.single ? continuityIn<withFill, float>(p)
-             : continuityIn<withFill, double>(p);
+    p.single ? continuityIn<withFill, withStrain, float>(p)
+             : continuityIn<withFill, withStrain, double>(p);
 }
 
 enum class friction
@@ -275,7 +315,14 @@ void force(const waterForcePass& p)
 
 void waterContinuity(const waterContinuityPass& p)
 {
-    p.fill ? continuity<true>(p) : continuity<false>(p);
+    if (p.strain[0])
+    {
+        p.fill ? continuity<true, true>(p) : continuity<false, true>(p);
+    }
+    else
+    {
+        p.fill ? continuity<true, false>(p) : continuity<false, false>(p);
+    }
 }
 
 void waterForce(const waterForcePass& p)

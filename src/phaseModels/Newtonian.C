@@ -47,7 +47,10 @@ public:
     scalar largest() const override { return mu_; }
     scalar molecular() const override { return mu_; }
 
-    void mu(int n, double* mu) const override { std::fill_n(mu, n, mu_); }
+    void mu(int n, const double*, double* mu) const override
+    {
+        std::fill_n(mu, n, mu_);
+    }
 };
 
 defineTypeNameAndDebug(Newtonian, 0);

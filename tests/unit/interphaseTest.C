@@ -486,6 +486,30 @@ double nearestPair(const particleStore& s)
     return least;
 }
 
+//- Water pushed through grains that are held until nothing changes
+void holdGrains(box& b, double push)
+{
+    b.setU([](const vector&, bool) { return vector(Zero); });
+    const double dt = 2e-3;
+    for (int k = 0; k < 60; ++k)
+    {
+        waterStore& w = b.water->water;
+        grainStore& g = b.grains->grains;
+        for (int i = 0; i < w.size(); ++i)
+        {
+            set(w.a, i, vector(push, 0, 0));
+            set(w.U, i, at(w.U, i) + dt * vector(push, 0, 0));
+        }
+        for (int i = 0; i < g.size(); ++i)
+        {
+            // held by what takes the velocity of the last step
+            set(g.a, i, -at(g.U, i) / dt);
+            set(g.U, i, Zero);
+        }
+        b.coupling->drag(dt);
+    }
+}
+
 } // namespace
 
 
@@ -499,31 +523,40 @@ TEST_CASE("drag: water through grains that are held, Ergun on a lattice")
     {
         box b(xi, 0, 11, law.get());
         b.arrange();
-        b.setU([](const vector&, bool) { return vector(Zero); });
-        const double dt = 2e-3;
-        for (int k = 0; k < 60; ++k)
-        {
-            waterStore& w = b.water->water;
-            grainStore& g = b.grains->grains;
-            for (int i = 0; i < w.size(); ++i)
-            {
-                set(w.a, i, vector(push, 0, 0));
-                set(w.U, i, at(w.U, i) + dt * vector(push, 0, 0));
-            }
-            for (int i = 0; i < g.size(); ++i)
-            {
-                // held by what takes the velocity of the last step
-                set(g.a, i, -at(g.U, i) / dt);
-                set(g.U, i, Zero);
-            }
-            b.coupling->drag(dt);
-        }
+        holdGrains(b, push);
         const double U = xf * b.slip().x();
         const double dpdx =
             150 * sqr(xi) * mu * U / (xf * sqr(xf) * sqr(diameter))
             + 1.75 * xi * rhoWater * sqr(U) / (xf * sqr(xf) * diameter);
         INFO("push " << push << " m/s2, U " << U << " m/s");
         CHECK(dpdx == Approx(rhoWater * push).epsilon(0.01));
+    }
+}
+
+
+// Water that carries grains which are held: xi_p (rho_p - rho) g of pressure
+// over length, which the box has as a push. The superficial velocity is that
+// of least fluidisation by Ergun, in closed form
+TEST_CASE("drag: least velocity of fluidisation, 5 % of Ergun")
+{
+    const double xi = 0.6, e = 1 - xi;
+    const double Ar =
+        std::pow(diameter, 3) * rhoWater * (rhoGrain - rhoWater) * g0 / sqr(mu);
+    const double C1 = 150 * xi / 3.5, C2 = std::pow(e, 3) / 1.75;
+    const double exact =
+        (std::sqrt(sqr(C1) + C2 * Ar) - C1) * mu / (rhoWater * diameter);
+    for (const char* name : {"Ergun", "Gidaspow"})
+    {
+        const autoPtr<dragLaw> law =
+            dragLaw::New(dictOf((word("drag ") + name + ";").c_str()));
+        box b(xi, 0, 14, law.get());
+        b.arrange();
+        const double push = xi * (rhoGrain - rhoWater) * g0 / rhoWater;
+        holdGrains(b, push);
+        const double U = e * b.slip().x();
+        INFO(name << " U " << U << " exact " << exact);
+        CHECK(U == Approx(exact).epsilon(0.05));
+        CHECK_FALSE(1.1 * U == Approx(exact).epsilon(0.05));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water that is moved to where there is room (T 5.15): the packing evens out,
+// Water that is moved to where there is room (T 5.23): the packing evens out,
 // a lattice and shallow water stay, and the work is booked.
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "waterViscosity.H"
+
+#include "fieldTensors.H"
+#include "latticeSums.H"
+#include "orderedSum.H"
+
+#include "messageStream.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+using lpfPairs::forChunks;
+using lpfPairs::orderedSum;
+using lpfPairs::sumOf;
+
+namespace
+{
+
+//- Residual at which a solution is good enough, as a share of its start and of
+//  the motion
+constexpr scalar closeEnough = 1e-7;
+
+//- More iterations than any scene has needed; momentum is exact all the same
+constexpr int mostIterations = 20000;
+
+//- Least distance to the ground in the slope of the velocity behind it, as a
+//  share of the spacing: a particle at rest has half a spacing
+constexpr scalar nearestShare = 0.25;
+
+//- As for the pressure of the ground
+constexpr scalar behindShare = 0.1;
+
+} // namespace
+
+waterViscosity::waterViscosity(
+    const lpfPairs::pairEngine& engine,
+    const sceneProperties& scene,
+    const groundContact& contact,
+    waterStore& water
+)
+    : engine_(engine), scene_(scene), contact_(contact), water_(water),
+      sticks_(contact.anyStick()),
+      weight_(
+          (scene.dimensions + 2)
+          * lpfPairs::viscousWeight(
+              lpfPairs::wendlandC2(scene.h, scene.dimensions),
+              scene.spacing,
+              scene.dimensions
+          )
+      )
+{
+}
+
+void waterViscosity::seeGround(
+    const lpfPairs::cellGrid& cells,
+    const lpfPairs::neighbourTable* pairs,
+    const lpfPairs::neighbourTable* elements,
+    const indexArray& slot,
+    int nSlots
+)
+{
+    cells_ = cells;
+    pairs_ = pairs;
+    slot_ = &slot;
+    if (!sticks_)
+    {
+        return;
+    }
+    stick_.resize(static_cast<std::size_t>(nSlots));
+    lpfPairs::stickPass p = {};
+    p.pairs = elements;
+    p.cells = cells;
+    contact_.present(p);
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.layerDepth = scene_.spacing;
+    p.behind = behindShare * scene_.spacing;
+    p.nearest = nearestShare * scene_.spacing;
+    p.x = water_.x[0].data();
+    p.y = water_.x[1].data();
+    p.z = water_.x[2].data();
+    p.slot = slot.data();
+    p.sums = stick_.data();
+    engine_.stick(p);
+}
+
+vector waterViscosity::groundGradient(int i) const
+{
+    const int slot = (*slot_)[i];
+    if (!sticks_ || slot < 0)
+    {
+        return Zero;
+    }
+    const double* g = stick_[static_cast<std::size_t>(slot)].gradient;
+    return vector(g[0], g[1], g[2]);
+}
+
+//- f = - 2 (D + 2) w V eta T u                                      (T 5.21)
+vector waterViscosity::stickForce(int i, const vector& u) const
+{
+    const int slot = (*slot_)[i];
+    if (!sticks_ || slot < 0)
+    {
+        return Zero;
+    }
+    const double* t = stick_[static_cast<std::size_t>(slot)].force;
+    const Symm T = {t[0], t[1], t[2], t[3], t[4], t[5]};
+    const scalar V = water_.V[i] * scene_.planeThickness;
+    return (-2 * weight_ * V * (*eta_)[i]) * toVector(T & toVec(u));
+}
+
+void waterViscosity::apply(realArrays<3>& u)
+{
+    const int n = water_.size();
+    lpf::resize(force_, n);
+    lpfPairs::viscousPass p = {};
+    p.pairs = pairs_;
+    p.cells = cells_;
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.weight = weight_;
+    p.x = water_.x[0].data();
+    p.y = water_.x[1].data();
+    p.z = water_.x[2].data();
+    p.V = water_.V.data();
+    p.eta = eta_->data();
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+        p.u[c] = u[c].data();
+        p.force[c] = force_[c].data();
+    }
+    engine_.viscous(p);
+    forChunks(
+        n,
+        [&](int begin, int end, int)
+        {
+            for (int i = begin; i < end; ++i)
+            {
+                const scalar V = water_.V[i] * scene_.planeThickness;
+                set(force_, i, V * at(force_, i) + stickForce(i, at(u, i))
+                ); // (T 5.20)
+            }
+        }
+    );
+}
+
+waterViscosity::totals waterViscosity::accelerate(bool add)
+{
+    apply(water_.U);
+    return orderedSum<totals>(
+        water_.size(),
+        [&](int i)
+        {
+            const vector U = at(water_.U, i), f = at(force_, i);
+            const vector before = add ? at(water_.friction, i) : vector(Zero);
+            set(water_.friction, i, before + f / water_.mass[i]);
+            return totals{stickForce(i, U), -(f & U)};
+        }
+    );
+}
+
+scalar waterViscosity::stiffest() const
+{
+    if (!sticks_)
+    {
+        return 0;
+    }
+    return lpfPairs::largest(
+        water_.size(),
+        [&](int i)
+        {
+            scalar rate = 0;
+            for (direction c = 0; c < 3; ++c)
+            {
+                vector e(Zero);
+                e[c] = 1;
+                rate -= stickForce(i, e)[c] / water_.mass[i];
+            }
+            return rate;
+        }
+    );
+}
+
+//- sum m |u - from|^2
+scalar waterViscosity::motion(const realArrays<3>& u, const vector& from) const
+{
+    return orderedSum<sumOf<scalar>>(
+               water_.size(),
+               [&](int i) {
+                   return sumOf<scalar>{
+                       water_.mass[i] * magSqr(at(u, i) - from)};
+               }
+    ).value;
+}
+
+//- Mean velocity by mass; zero where the ground is what motion is against
+vector waterViscosity::reference(const realArrays<3>& u) const
+{
+    struct sums
+    {
+        scalar mass = 0;
+        vector momentum = Zero;
+
+        void operator+=(const sums& b)
+        {
+            mass += b.mass;
+            momentum += b.momentum;
+        }
+    };
+    if (sticks_)
+    {
+        return Zero;
+    }
+    const sums s = orderedSum<sums>(
+        water_.size(),
+        [&](int i) {
+            return sums{water_.mass[i], water_.mass[i] * at(u, i)};
+        }
+    );
+    return s.momentum / max(s.mass, VSMALL);
+}
+
+scalar waterViscosity::advance(realArrays<3>& u, scalar alpha, scalar dt)
+{
+    return orderedSum<sumOf<scalar>>(
+               water_.size(),
+               [&](int i)
+               {
+                   const scalar m = water_.mass[i];
+                   const vector p = at(direction_, i);
+                   set(u, i, at(u, i) + alpha * p);
+                   const vector r =
+                       at(residual_, i) - alpha * (m * p - dt * at(force_, i));
+                   set(residual_, i, r);
+                   return sumOf<scalar>{magSqr(r) / m};
+               }
+    ).value;
+}
+
+// Residual and direction at u*; returns r.r/m
+scalar waterViscosity::begin(realArrays<3>& u, scalar dt)
+{
+    const int n = water_.size();
+    lpf::resize(residual_, n);
+    lpf::resize(direction_, n);
+    padZero(direction_, n);
+    apply(u);
+    return orderedSum<sumOf<scalar>>(
+               n,
+               [&](int i)
+               {
+                   const vector r = dt * at(force_, i);
+                   set(residual_, i, r);
+                   set(direction_, i, r / water_.mass[i]);
+                   return sumOf<scalar>{magSqr(r) / water_.mass[i]};
+               }
+    ).value;
+}
+
+//- p.(m - dt L) p of the direction
+scalar waterViscosity::curvature(scalar dt)
+{
+    apply(direction_);
+    return orderedSum<sumOf<scalar>>(
+               water_.size(),
+               [&](int i)
+               {
+                   const vector p = at(direction_, i);
+                   return sumOf<scalar>{
+                       p & (water_.mass[i] * p - dt * at(force_, i))};
+               }
+    ).value;
+}
+
+// Conjugate gradients for (m - dt L) u = m u* from u = u*           (T 5.22)
+int waterViscosity::solve(scalar dt)
+{
+    realArrays<3>& u = water_.U;
+    const scalar moving = motion(u, reference(u));
+    // below the rounding of u itself there is nothing to gain
+    const scalar rounding = sqr(SMALL) * motion(u, Zero);
+    const scalar start = begin(u, dt);
+    const scalar enough = max(rounding, sqr(closeEnough) * min(start, moving));
+    scalar left = start;
+    int k = 0;
+    while (left > enough && k < mostIterations)
+    {
+        ++k;
+        const scalar before = left;
+        left = advance(u, before / curvature(dt), dt);
+        const scalar beta = left / before;
+        forChunks(
+            water_.size(),
+            [&](int from, int end, int)
+            {
+                for (int i = from; i < end; ++i)
+                {
+                    set(direction_,
+                        i,
+                        at(residual_, i) / water_.mass[i]
+                            + beta * at(direction_, i));
+                }
+            }
+        );
+    }
+    if (k == mostIterations && !warned_)
+    {
+        warned_ = true;
+        WarningInFunction << "The implicit viscosity has not converged in " << k
+                          << " iterations: " << sqrt(left / start)
+                          << " of the residual is left. Write a smaller "
+                          << "viscosity or a smaller CFL" << endl;
+    }
+    return k;
+}
+
+// Work of the impulse on the mean of the velocities before the kick that went
+// with it and after both, as the leapfrog does work
+waterViscosity::change waterViscosity::relax(scalar dt)
+{
+    const int n = water_.size();
+    lpf::resize(kicked_, n);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            kicked_[c][i] = water_.U[c][i];
+        }
+    }
+    iterations = solve(dt);
+    return orderedSum<change>(
+        n,
+        [&](int i)
+        {
+            const vector kicked = at(kicked_, i), U = at(water_.U, i);
+            const vector before = kicked - dt * at(water_.a, i);
+            const vector step = water_.mass[i] * (U - kicked);
+            set(water_.a, i, at(water_.a, i) + (U - kicked) / dt);
+            return change{step, -0.5 * (step & (before + U))};
+        }
+    );
+}
+
+std::size_t waterViscosity::bytes() const
+{
+    return lpf::bytes(force_) + lpf::bytes(residual_) + lpf::bytes(direction_)
+         + lpf::bytes(kicked_)
+         + stick_.capacity() * sizeof(lpfPairs::stickRecord);
+}
+
+} // namespace lpf
+} // namespace Foam

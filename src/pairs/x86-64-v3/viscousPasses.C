@@ -1,0 +1,1 @@
+../viscousPasses.C
