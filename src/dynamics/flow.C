@@ -229,5 +229,10 @@ int flow::pairPasses() const
          + (coupling ? interphase::pairPasses : 0);
 }
 
+int flow::groundPasses() const
+{
+    return (grains ? 1 : 0) + (water ? water->groundPasses() : 0);
+}
+
 } // namespace lpf
 } // namespace Foam
