@@ -556,8 +556,8 @@ int caseRun::finish()
     printArtificialShare();
     Info << "Memory " << scalar(mostBytes_) / 1048576 << " MiB, "
          << scalar(mostBytes_) / max(startSize_, 1) << " bytes a particle; "
-         << flow_.pairPasses() << " pair passes and " << flow_.names().size()
-         << " ground pass" << (flow_.names().size() > 1 ? "es" : "")
+         << flow_.pairPasses() << " pair passes and " << flow_.groundPasses()
+         << " ground pass" << (flow_.groundPasses() > 1 ? "es" : "")
          << " a step" << nl;
     printTimes();
 

@@ -264,5 +264,10 @@ std::vector<std::pair<word, passTimes>> flow::times() const
     return all;
 }
 
+int flow::groundPasses() const
+{
+    return (grains ? 1 : 0) + (water ? water->groundPasses() : 0);
+}
+
 } // namespace lpf
 } // namespace Foam
