@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Steady flow of grains down a rough plane, plane strain between cyclic planes.
+The ground is rough because it holds the lowest layer: Coulomb friction of 2,
+which is above the internal friction."""
+import math
+
+from planeScene import G, Scene, mean, rms
+from verify import Measured, Verification
+
+H, D, XI = 0.4, 0.02, 0.6
+MU_S, MU_2, I0 = 0.3839, 0.6494, 0.28
+
+
+def bagnold(degrees):
+    """Speed of the surface"""
+    th = math.radians(degrees)
+    inertial = I0 * (math.tan(th) - MU_S) / (MU_2 - math.tan(th))
+    return 2 / 3 * inertial * math.sqrt(XI * G * math.cos(th)) * H ** 1.5 / D
+
+
+def shape(z):
+    return 1 - max(0.0, 1 - z / H) ** 1.5
+
+
+def chute(layers, degrees, speed, grains=None):
+    """Layer by layer with its own speed at the start"""
+    dx = H / layers
+    L = 12 * dx
+    scene = Scene(
+        dx=dx, degrees=degrees, diameter=D, log=500,
+        cyclic="x (0 %.17g);" % L,
+        # E auto knows the height of one release, here of a layer
+        maxSpeed=max(speed(H), 2 * math.sqrt(G * H)),
+        grains={"muS": MU_S, "mu2": MU_2, "I0": I0, "nu": 0.36, **(grains or {})},
+        zones="floor { friction Coulomb; mu 2; }")
+    scene.ground = scene.floor(-8 * dx, L + 8 * dx)
+    scene.release = "".join(
+        scene.box("layer%d" % k, 0, L, k * dx, (k + 1) * dx,
+                  "grains { solidFraction %g; }" % XI, speed((k + 0.5) * dx))
+        for k in range(layers))
+    return scene
+
+
+class Bagnold(Verification):
+    bounds = {"velocity": 0.05}
+    axes = ("u/u_s", "z/H")
+    degrees = 26
+
+    def measure(self, layers, **grains):
+        surface = bagnold(self.degrees)
+        # from four fifths of the speed; what is left of that after 20 s is
+        # below one part in a hundred
+        scene = chute(layers, self.degrees,
+                      lambda z: 0.8 * surface * shape(z), grains)
+        scene.maxSpeed = max(surface, scene.maxSpeed)
+        scene.end, scene.writes = 20, 40
+        case = scene.run("%s%d" % (self.name, layers))
+        late = case.times()[-10:]
+        points = []
+        for time in late:
+            points += [
+                (x[2], u[0] / surface) for x, u in zip(
+                    case.field(time, "positions"), case.field(time, "U"))]
+        inside = [(z, u) for z, u in points if z < H - scene.dx]
+        top = mean(sorted(z for z, _ in points)[-12 * len(late):]) + 0.5 * scene.dx
+        steps = [(k + 0.5) * scene.dx for k in range(layers)]
+        means = [
+            [u for z, u in points if abs(z - s) <= 0.5 * scene.dx] for s in steps]
+        return Measured(
+            {"velocity": rms(u - shape(z) for z, u in inside)},
+            {"reference": ([shape(k * H / 40) for k in range(41)],
+                           [k / 40 for k in range(41)]),
+             "": ([mean(m) for m in means if m],
+                  [s / H for s, m in zip(steps, means) if m])},
+            {"velocity": "mean %+.3f, height %+.3f" % (
+                mean(u for _, u in points) / 0.6 - 1, top / H - 1)})
+
+
+def at(degrees):
+    class Steady(Bagnold):
+        name = "bagnold.%d" % degrees
+        reference = (
+            "mu(I) at %d degrees: u = u_s (1 - (1 - z/H)^1.5), u_s %.3f m/s, L2 "
+            "over u_s without the uppermost layer, 15 to 20 s" % (
+                degrees, bagnold(degrees)))
+
+    Steady.degrees = degrees
+    return Steady
+
+
+STEADY = tuple(at(d) for d in (24, 26, 28))
+STEADY[1].negatives = {"I0 of 0.35": ({"I0": 0.35}, "velocity", 20)}
+
+
+class Stops(Verification):
+    name = "bagnold.stops"
+    reference = "tan 20 degrees below mu_s = tan 21: a layer of 0.5 m/s stops"
+    bounds = {"speed left": 0.001}
+    axes = ("t [s]", "u/u(0)")
+    negatives = {"a slope of 22 degrees": ({"degrees": 22}, "speed left", 20)}
+
+    def measure(self, layers, degrees=20):
+        scene = chute(layers, degrees, lambda z: 0.5)
+        scene.end, scene.writes = 6, 12
+        scene.log = 200
+        case = scene.run("%s%d" % (self.name, layers))
+        t = case.table()
+        u = [p / m / 0.5 for p, m in zip(t["momentumX"], t["mass"])]
+        late = [v for s, v in zip(t["time"], u) if s > 5]
+        every = max(1, len(u) // 60)
+        return Measured(
+            {"speed left": mean(late)},
+            {"reference": ([5, 6], [0, 0]), "": (t["time"][::every], u[::every])})
+
+
+CASES = (*STEADY, Stops)
