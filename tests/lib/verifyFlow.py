@@ -97,7 +97,12 @@ class Stops(Verification):
     reference = "tan 20 degrees below mu_s = tan 21: a layer of 0.5 m/s stops"
     bounds = {"speed left": 0.001}
     axes = ("t [s]", "u/u(0)")
-    negatives = {"a slope of 22 degrees": ({"degrees": 22}, "speed left", 20)}
+    findings = {"speed left": (
+        "the layer comes to rest within 2.4 s at 20 layers (shear stress over "
+        "pressure 0.36 to 0.37, mu_s 0.384), but pressure noise grows in the bed at "
+        "rest, from 9 to 35 % of the mean, and takes its strength: from 4.7 s on "
+        "it flows again. With 10 layers it stays.")}
+    negatives = {"a slope of 22 degrees": ({"degrees": 22}, "speed left", 10)}
 
     def measure(self, layers, degrees=20):
         scene = chute(layers, degrees, lambda z: 0.5)

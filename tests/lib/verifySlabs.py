@@ -177,18 +177,18 @@ class Plug(Cap):
 
 class Mangeney(Verification):
     reference = (
-        "Mangeney 2000: h = (2 c0 - x/t + m0 t/2)^2/(9 g cos th), "
-        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = 3 sqrt(h0/g)")
+        "Mangeney 2000: h/h0 = (2 - (x/t - m0 t/2)/c0)^2/9, c0^2 = k g cos th h0, "
+        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = 3 sqrt(h0/g), k %s")
     bounds = {"depth": 0.05}
     axes = ("x/h0", "h/h0")
-    mu, h0 = 0.0, 0.2
+    mu, h0, k, grains = 0.0, 0.2, 1.0, FREE
 
     def measure(self, layers, mu=None):
         h0, th = self.h0, math.radians(25)
-        t, c0 = 3 * math.sqrt(h0 / G), math.sqrt(G * math.cos(th) * h0)
+        t, c0 = 3 * math.sqrt(h0 / G), math.sqrt(self.k * G * math.cos(th) * h0)
         m0 = G * (math.sin(th) - self.mu * math.cos(th))
         scene = Scene(
-            dx=h0 / layers, degrees=25, grains=FREE, maxSpeed=2 * c0 + m0 * t,
+            dx=h0 / layers, degrees=25, grains=self.grains, maxSpeed=2 * c0 + m0 * t,
             end=t, log=200,
             zones="floor { friction Coulomb; mu %g; }" % (
                 self.mu if mu is None else mu))
@@ -209,15 +209,23 @@ class Mangeney(Verification):
 
 class Smooth(Mangeney):
     name = "mangeney.smooth"
-    reference = Mangeney.reference % 0
+    reference = Mangeney.reference % (0, 1)
     negatives = {"basal friction of 0.3": ({"mu": 0.3}, "depth", 20)}
 
 
 class Rough(Mangeney):
     name = "mangeney.coulomb"
     mu = 0.2
-    reference = Mangeney.reference % 0.2
+    reference = Mangeney.reference % (0.2, 1)
     findings = {"depth": SLIDES_OVER_BASE}
 
 
-CASES = (Coulomb, PorePressure, Saturated, Cap, Plug, Smooth, Rough)
+class RoughPlug(Mangeney):
+    name = "mangeney.plug"
+    mu, k, grains = 0.3, active(35, math.degrees(math.atan(0.3))), Plug.grains
+    reference = Mangeney.reference % (
+        0.3, "%.3f, active, internal friction of 35 degrees" % k)
+    negatives = {"no basal friction": ({"mu": 0}, "depth", 20)}
+
+
+CASES = (Coulomb, PorePressure, Saturated, Cap, Plug, Smooth, Rough, RoughPlug)
