@@ -180,9 +180,9 @@ def round_column(a, reach, heights, resolutions):
 
 
 ROUND = (
-    round_column(0.55, 1.24 * 0.55, (0.55, 0.55), (5, 10, 15)),
-    round_column(0.9, 1.24 * 0.9, (0.74, 0.9), (8, 12, 18)),
+    round_column(0.55, 1.24 * 0.55, (0.55, 0.55), (5, 9, 14)),
+    round_column(0.9, 1.24 * 0.9, (0.74, 0.9), (6, 10, 16)),
     round_column(2.75, 1.6 * 2.75 ** 0.5, (0.74, 0.88 * 2.75 ** (1 / 6)),
-                 (16, 24, 36)),
+                 (14, 20, 30)),
 )
 CASES = PLANE + ROUND

@@ -42,6 +42,7 @@ def chute(layers, degrees, speed, grains=None):
 
 
 class Bagnold(Verification):
+    layers = (10, 20, 30)
     bounds = {"velocity": 0.05}
     axes = ("u/u_s", "z/H")
     degrees = 26

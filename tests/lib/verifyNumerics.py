@@ -58,14 +58,14 @@ class TimeStep(Verification):
     quarter; with notes on what they give"""
 
     name = "timeStep"
-    reference = "Lube 2005, a = 1: runout 1.2; Ritter; 20 layers, CFL 0.3, 0.15, 0.075"
+    reference = "Lube 2005, a = 1: runout 1.2, 20 layers; Ritter, 10 layers; CFL 0.3, 0.15, 0.075"
     of, layers, judged = "steps in one", (1, 2, 4), 1
     bounds = {"runout": 0.15, "depth": 0.05}
 
     def measure(self, parts):
         cfl = "CFL %g;" % (0.3 / parts)
         column = PLANE[1]().measure(20, solution=cfl)
-        dam = Ritter().measure(20, solution=cfl)
+        dam = Ritter().measure(10, solution=cfl)
         return Measured(
             {"runout": column.errors["runout"], "depth": dam.errors["depth"]},
             {("column " + k if k[:3] != "ref" else k): v
@@ -82,6 +82,7 @@ class Energy(Verification):
     bounds = {"rise": 0.005, "unexplained": 0.02}
     axes = ("t sqrt(g/H)", "energy lost, sum of losses over released")
     phases, content, H = "grains", "grains { solidFraction 0.6; }", 0.1
+    high = 3  # walls over H
     LOSSES = ("plastic", "separation", "friction", "viscous", "projection",
               "wallTension", "leftEnergy", "artificial", "diffusion", "drag")
 
@@ -92,8 +93,8 @@ class Energy(Verification):
             grains=SAND, diameter=0.002,
             zones="floor { friction Coulomb; mu 0.5; } wall { friction none; }")
         scene.ground = (
-            scene.floor(0, 2 * H) + scene.wall("left", 0, 1, 3 * H)
-            + scene.wall("right", 2 * H, -1, 3 * H))
+            scene.floor(0, 2 * H) + scene.wall("left", 0, 1, self.high * H)
+            + scene.wall("right", 2 * H, -1, self.high * H))
         scene.release = scene.box("body", 0, H, 0, H, self.content)
         scene.end = 10 * math.sqrt(H / G)
         case = scene.run("%s%d" % (self.name, layers))
@@ -125,6 +126,16 @@ class EnergyGrains(Energy):
 
 class EnergyWater(Energy):
     name = "energy.water"
+    high = 8  # a drop of the splash flies above 5 H
+    findings = {
+        "rise": (
+            "the two terms of (T 5.12) without adjoint, pressure with depth behind "
+            "the ground and along it, do work on water that falls along the wall: "
+            "3 % of what is released by t = 1.1 sqrt(H/g) at 20 layers."),
+        "unexplained": (
+            "grows at impacts and while the surface breaks, to half of its final "
+            "value while the first wave runs up the wall; it falls with "
+            "refinement.")}
     phases, content = "water", "water {}"
 
 

@@ -38,6 +38,12 @@ class Hydrostatic(Verification):
     bounds = {"pressure": 0.03}
     axes = ("p/(rho g H)", "z/H")
     converges = True
+    findings = {"pressure": (
+        "within 3 %, but not converging. The first moment of the kernel gradient "
+        "rises from 0.974 to 0.985 as the particles leave their lattice, and "
+        "lambda (T 2.4) stays that of the lattice: the gradient is 1.1 % too "
+        "strong, the pressure as much too low. At low resolution, with fewer "
+        "steps, they leave it less.")}
     negatives = {
         "water of 950 kg/m3": ({"rho": 0.95 * RHO_F}, "pressure", 20)}
 

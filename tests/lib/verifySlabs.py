@@ -101,7 +101,7 @@ class Cap(Verification):
     k, grains = 1.0, FREE
     reference = (
         "Savage-Hutter parabolic cap, h0/L = 0.05, 35 degrees, friction of 25 "
-        "degrees, t = 1.4 sqrt(L/g): centre x_c = g (sin z - cos z tan d) t^2/2, "
+        "degrees, t = 3 sqrt(L/g): centre x_c = g (sin z - cos z tan d) t^2/2, "
         "height h0/g(t), earth pressure coefficient 1")
     findings = dict.fromkeys(("centre", "height"), SLIDES_OVER_BASE)
     layers = (1, 2, 4, 8)
@@ -112,9 +112,9 @@ class Cap(Verification):
 
     def measure(self, layers, delta=25):
         h0, L = 0.05 * self.L, self.L
-        dx, t = h0 / layers, 1.4 * math.sqrt(L / G)
+        dx, t = h0 / layers, 3 * math.sqrt(L / G)
         scene = Scene(
-            dx=dx, degrees=35, grains=self.grains, maxSpeed=2.0, end=t, log=200,
+            dx=dx, degrees=35, grains=self.grains, maxSpeed=3.0, end=t, log=200,
             zones="floor { friction Coulomb; mu %.17g; }" % math.tan(
                 math.radians(delta)))
         scene.ground = scene.floor(-2 * L, 4 * L)
@@ -195,7 +195,7 @@ class Mangeney(Verification):
         # the rear moves with the slab: its own collapse stays behind
         scene.ground = scene.floor(-9 * h0, 18 * h0)
         scene.release = scene.box(
-            "dam", -7 * h0, 0, 0, h0, "grains { solidFraction 0.6; }")
+            "dam", -6.2 * h0, 0, 0, h0, "grains { solidFraction 0.6; }")
         case = scene.run("%s%d" % (self.name, layers))
         edges, centres = bins(
             -0.8 * c0 * t + 0.5 * m0 * t * t, c0 * t + 0.5 * m0 * t * t, 36)
