@@ -113,7 +113,12 @@ PLANE = (
           (0.65 * 4 ** 0.4, 4 ** (1 / 3))),
 )
 PLANE[1].negatives = {
-    "internal friction of 2": ({"grains": {"muS": 2, "mu2": 2}}, "runout", 20)}
+    "internal friction of 0.4": ({"grains": {"muS": 0.4, "mu2": 0.4}}, "runout", 20)}
+
+
+PLANE[3].findings = {"time": (
+    "the tip runs to 4.7 d0 at 3 sqrt(h0/g), then thins below half a spacing, so "
+    "that the front that counts goes back to 4.3 d0, which it had passed at 2.5.")}
 
 
 class Round(Plane):
