@@ -43,7 +43,12 @@ def chute(layers, degrees, speed, grains=None, period=12):
 
 class Bagnold(Verification):
     layers = (10, 20, 30)
-    bounds = {"velocity": 0.05}
+    bounds = {"velocity": 0.05, "height": 0.05}
+    findings = dict.fromkeys(("velocity", "height"), (
+        "particles pair and the layer loses its height, while rho, integrated from "
+        "a renormalised trace, stays that of rest (doc/theory.md, 9). At 26 "
+        "degrees and 30 layers the nearest two are 0.5 spacings apart after "
+        "2.5 s, 0.09 after 4.5 s, and 55 % of the height is gone after 14 s."))
     axes = ("u/u_s", "z/H")
     degrees = 26
 
@@ -56,25 +61,33 @@ class Bagnold(Verification):
         scene.maxSpeed = max(surface, scene.maxSpeed)
         scene.end, scene.writes = 14, 28
         case = scene.run("%s%d" % (self.name, layers))
-        late = case.times()[-8:]
-        points = []
-        for time in late:
-            points += [
-                (x[2], u[0] / surface) for x, u in zip(
-                    case.field(time, "positions"), case.field(time, "U"))]
-        inside = [(z, u) for z, u in points if z < H - scene.dx]
-        top = mean(sorted(z for z, _ in points)[-8 * len(late):]) + 0.5 * scene.dx
-        steps = [(k + 0.5) * scene.dx for k in range(layers)]
-        means = [
-            [u for z, u in points if abs(z - s) <= 0.5 * scene.dx] for s in steps]
+        return self.compared(case, scene, surface)
+
+    def compared(self, case, scene, surface):
+        late, dx = case.times()[-8:], scene.dx
+        points = [
+            (x[2], u[0] / surface) for time in late for x, u in zip(
+                case.field(time, "positions"), case.field(time, "U"))]
+        inside = [(z, u) for z, u in points if z < H - dx]
+        # of the uppermost layer
+        top = mean(sorted(z for z, _ in points)[-8 * len(late):]) + 0.5 * dx
+        heights = [k * H / 40 for k in range(41)]
         return Measured(
-            {"velocity": rms(u - shape(z) for z, u in inside)},
-            {"reference": ([shape(k * H / 40) for k in range(41)],
-                           [k / 40 for k in range(41)]),
-             "": ([mean(m) for m in means if m],
-                  [s / H for s, m in zip(steps, means) if m])},
-            {"velocity": "mean %+.3f, height %+.3f" % (
-                mean(u for _, u in points) / 0.6 - 1, top / H - 1)})
+            {"velocity": rms(u - shape(z) for z, u in inside),
+             "height": top / H - 1},
+            {"reference": ([shape(z) for z in heights], [z / H for z in heights]),
+             "": self.profile(points, dx)},
+            {"velocity": "mean off by %+.2f" % (
+                mean(u for _, u in points) / 0.6 - 1)})
+
+    @staticmethod
+    def profile(points, dx):
+        """Means of slices of one spacing that are not empty"""
+        slices = {}
+        for z, u in points:
+            slices.setdefault(int(z / dx), []).append(u)
+        return ([mean(u) for _, u in sorted(slices.items())],
+                [(k + 0.5) * dx / H for k in sorted(slices)])
 
 
 def at(degrees):
