@@ -112,7 +112,6 @@ def row(case, quantity, runs):
         "trusted": trusted(case.layers, errors, bound),
         "converging": errors[-1] < errors[0],
         "status": "within" if good else "beyond",
-        "finding": case.findings.get(quantity, ""),
     }
 
 

@@ -215,7 +215,8 @@ class Smooth(Mangeney):
 
 class Rough(Mangeney):
     name = "mangeney.coulomb"
-    mu = 0.2
+    # it does not come nearer with more
+    mu, layers = 0.2, (5, 10, 20)
     reference = Mangeney.reference % (0.2, 1)
     findings = {"depth": SLIDES_OVER_BASE}
 
