@@ -126,6 +126,10 @@ class Round(Plane):
 
     axes = ("r/r0", "h/r0")
     unit_time = 3.0
+    findings = {"runout": (
+        "less with refinement. The rim is thinner than half a spacing, where the "
+        "front is taken: at a = 0.9 (16 layers) and 0.55 (14 layers) 99.9 % of the "
+        "mass are within a runout of 1.08 and 0.64, where Lube has 1.12 and 0.68.")}
 
     def measure(self, layers, grains=None, solution=""):
         r0, dx = H / self.a, H / layers
