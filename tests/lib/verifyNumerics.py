@@ -47,6 +47,9 @@ class SpacingPairs(SaturatedBed):
     of, layers, judged = "spacing of grains over that of water", (1, 1.3, 2), 1
     reference = SaturatedBed.reference + ", 16 layers of grains"
     converges = False
+    findings = {"effective stress": (
+        "the same for all pairs: it is that of 16 layers (saturatedBed, 3.3 % "
+        "there, 1.4 % at 32).")}
     negatives = {}
 
     def measure(self, ratio):
