@@ -423,7 +423,8 @@ void grainDynamics::kick(scalar dt)
                     s.wall = f * dt;
                     s.wallNormal = N * dt;
                     s.friction = m * (U - sliding);
-                    s.frictionEnergy = 0.5 * m * (magSqr(sliding) - magSqr(U));
+                    // at the mean velocity of the kick: none where it sticks
+                    s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 }
                 else
                 {

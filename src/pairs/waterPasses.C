@@ -24,9 +24,8 @@ enum waterField
     viscousEta = 11
 };
 
-//- Length of the records of the continuity pass: the velocity of the water
-//itself
-//  comes after the flux, and fills whole packs
+//- Length of the records of the continuity pass, in whole packs: where strain
+//  is asked for the velocity of the water follows
 constexpr int continuityFields(bool withStrain)
 {
     return withStrain ? 12 : 8;
