@@ -12,14 +12,6 @@ namespace lpf
 using lpfPairs::orderedSum;
 using lpfPairs::sumOf;
 
-namespace
-{
-
-//- A particle may come this near to the ground, as a share of the spacing
-constexpr scalar contactShare = 0.1;
-
-} // namespace
-
 phaseDynamics::phaseDynamics(
     const lpfPairs::pairEngine& engine,
     const sceneProperties& scene,

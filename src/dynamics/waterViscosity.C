@@ -30,9 +30,6 @@ constexpr int mostIterations = 20000;
 //  share of the spacing: a particle at rest has half a spacing
 constexpr scalar nearestShare = 0.25;
 
-//- As for the pressure of the ground
-constexpr scalar behindShare = 0.1;
-
 } // namespace
 
 waterViscosity::waterViscosity(
@@ -77,7 +74,7 @@ void waterViscosity::seeGround(
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
     p.layerDepth = scene_.spacing;
-    p.behind = behindShare * scene_.spacing;
+    p.behind = contactShare * scene_.spacing;
     p.nearest = nearestShare * scene_.spacing;
     p.x = water_.x[0].data();
     p.y = water_.x[1].data();

@@ -3,7 +3,6 @@
 
 #include "enginePasses.H"
 #include "listLoops.H"
-#include "wendlandC2.H"
 
 namespace lpfPairs
 {
@@ -16,27 +15,17 @@ constexpr int smoothFields(int n)
     return (3 + n + 3) / 4 * 4;
 }
 
-template<int n, class Real>
-LPF_ONE_BODY void smoothAtParticle(
-    const smoothPass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<int n, class Around>
+LPF_ONE_BODY void
+smoothAtParticle(const smoothPass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
+    using T = typename Around::T;
     T total[n] = {};
-    overList<Real, smoothFields(n)>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {where.stored(p.x[i]), where.stored(p.y[i]), where.stored(p.z[i])},
         [&](const T* of, const Vec<T>&, const T& rSqr)
         {
-            const T w = W.value(rSqr);
+            const T w = around.W.value(rSqr);
             for (int c = 0; c < n; ++c)
             {
                 total[c] += of[3 + c] * w;
@@ -49,29 +38,17 @@ LPF_ONE_BODY void smoothAtParticle(
     }
 }
 
-template<int n, class Real>
-void smoothIn(const smoothPass& p)
-{
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf pairs(
-        p, {p.home, p.others, p.h, p.x, p.y, p.z, p.X, p.Y, p.Z}
-    );
-    const double* fields[smoothFields(n)] = {p.X, p.Y, p.Z};
-    std::copy_n(p.q, n, fields + 3);
-    const Real* records = makeRecords(*pairs, where, fields);
-
-    forListed(
-        *pairs,
-        [&](int i)
-        { smoothAtParticle<n, Real>(p, W, *pairs, where, records, i); }
-    );
-}
-
 template<int n>
 void smoothAll(const smoothPass& p)
 {
-    p.single ? smoothIn<n, float>(p) : smoothIn<n, double>(p);
+    recordFields<smoothFields(n)> fields = {{p.X, p.Y, p.Z}};
+    std::copy_n(p.q, n, fields.of + 3);
+    overPairs(
+        p,
+        {p.home, p.others, p.h, p.x, p.y, p.z, p.X, p.Y, p.Z},
+        fields,
+        [&](const auto& around, int i) { smoothAtParticle<n>(p, around, i); }
+    );
 }
 
 } // namespace

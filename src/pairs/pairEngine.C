@@ -6,7 +6,6 @@
 #include "enginePasses.H"
 #include "listLoops.H"
 #include "pairTerms.H"
-#include "wendlandC2.H"
 
 #include <chrono>
 
@@ -33,33 +32,21 @@ enum grainField
 
 //- Outside the support F = 0, and in the record of nobody V = 0: both remove
 //  what is there, as it is finite
-template<class Real>
-LPF_ONE_BODY void kinematicsOfParticle(
-    const kinematicsPass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<class Around>
+LPF_ONE_BODY void
+kinematicsOfParticle(const kinematicsPass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
-    constexpr int count = 8;
-    const Real* here = records + static_cast<std::size_t>(i) * count;
-    const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
+    using T = typename Around::T;
+    const Vec<T> v_i = own<typename Around::Real>(p.u, p.v, p.w, i);
     Kinematics<T> total = {};
 
-    overList<Real, count>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {here[0], here[1], here[2]},
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             addKinematics(
                 total,
-                T(of[volume] * W.gradByDistance(rSqr)),
+                T(of[volume] * around.W.gradByDistance(rSqr)),
                 x_ij,
                 v_i - vectorOf(of + velocity)
             );
@@ -73,26 +60,15 @@ LPF_ONE_BODY void kinematicsOfParticle(
     store(Vec<T>{total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
 }
 
-template<class Real>
-void kinematicsIn(const kinematicsPass& p)
-{
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf pairs(p, searchOf(p));
-    const double* const fields[8] = {
-        p.x, p.y, p.z, p.V, p.u, p.v, p.w, nullptr};
-    const Real* records = makeRecords(*pairs, where, fields);
-
-    forListed(
-        *pairs,
-        [&](int i)
-        { kinematicsOfParticle<Real>(p, W, *pairs, where, records, i); }
-    );
-}
-
 void kinematics(const kinematicsPass& p)
 {
-    p.single ? kinematicsIn<float>(p) : kinematicsIn<double>(p);
+    const recordFields<8> fields = {{p.x, p.y, p.z, p.V, p.u, p.v, p.w}};
+    overPairs(
+        p,
+        searchOf(p),
+        fields,
+        [&](const auto& around, int i) { kinematicsOfParticle(p, around, i); }
+    );
 }
 
 //- What acts between particles besides the stress
@@ -157,36 +133,26 @@ LPF_INLINE void addViscosity(
     power += half * mPiF * (v_ij & x_ij);
 }
 
-template<viscosity kind, class Real>
-LPF_ONE_BODY void forceOnParticle(
-    const forcePass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<viscosity kind, class Around>
+LPF_ONE_BODY void
+forceOnParticle(const forcePass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
-    constexpr int count = forceFields(kind);
-    const Real* here = records + static_cast<std::size_t>(i) * count;
+    using T = typename Around::T;
     Force<T> total = {};
     Vec<T> a = {};
-    T power(Real(0));
+    T power = constant<T>(0);
 
-    overList<Real, count>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {here[0], here[1], here[2]},
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            const T F = W.gradByDistance(rSqr);
+            const T F = around.W.gradByDistance(rSqr);
             addForce(total, T(of[volume] * F), x_ij, tensorOf(of + moment));
             if constexpr (kind != viscosity::none)
             {
-                addViscosity<kind, Real>(p, i, of, x_ij, rSqr, F, a, power);
+                addViscosity<kind, typename Around::Real>(
+                    p, i, of, x_ij, rSqr, F, a, power
+                );
             }
         }
     );
@@ -211,37 +177,26 @@ LPF_ONE_BODY void forceOnParticle(
     }
 }
 
-template<viscosity kind, class Real>
-void forceIn(const forcePass& p)
-{
-    constexpr int count = forceFields(kind);
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf pairs(p, searchOf(p));
-    const double* fields[count] = {p.x, p.y, p.z, p.V};
-    std::copy_n(p.A, 9, fields + moment);
-    if constexpr (kind != viscosity::none)
-    {
-        const double* const more[] = {p.u, p.v, p.w, p.rho, p.m};
-        std::copy_n(more, 5, fields + flow);
-    }
-    if constexpr (kind == viscosity::noise)
-    {
-        std::copy_n(p.L, 9, fields + gradientL);
-    }
-    const Real* records = makeRecords(*pairs, where, fields);
-
-    forListed(
-        *pairs,
-        [&](int i)
-        { forceOnParticle<kind, Real>(p, W, *pairs, where, records, i); }
-    );
-}
-
 template<viscosity kind>
 void force(const forcePass& p)
 {
-    p.single ? forceIn<kind, float>(p) : forceIn<kind, double>(p);
+    recordFields<forceFields(kind)> fields = {{p.x, p.y, p.z, p.V}};
+    std::copy_n(p.A, 9, fields.of + moment);
+    if constexpr (kind != viscosity::none)
+    {
+        const double* const more[] = {p.u, p.v, p.w, p.rho, p.m};
+        std::copy_n(more, 5, fields.of + flow);
+    }
+    if constexpr (kind == viscosity::noise)
+    {
+        std::copy_n(p.L, 9, fields.of + gradientL);
+    }
+    overPairs(
+        p,
+        searchOf(p),
+        fields,
+        [&](const auto& around, int i) { forceOnParticle<kind>(p, around, i); }
+    );
 }
 
 void anyForce(const forcePass& p)
@@ -340,26 +295,16 @@ enum elementField
     friction = 7
 };
 
-template<wallSums kind, int layers, class Real>
-LPF_ONE_BODY void wallOfParticle(
-    const wallPass& p,
-    const wendlandC2& W,
-    const neighbourTable& elements,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<wallSums kind, int layers, class Around>
+LPF_ONE_BODY void wallOfParticle(const wallPass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
+    using Real = typename Around::Real;
+    using T = typename Around::T;
     WallSums<T> total = {};
     nearestLanes<T> nearest;
 
-    overList<Real, 8>(
-        elements,
-        where,
-        records,
+    around.each(
         i,
-        {where.stored(p.x[i]), where.stored(p.y[i]), where.stored(p.z[i])},
         [&](const T* of, const Vec<T>& x_iq, const T& rSqr)
         {
             const Vec<T> n = vectorOf(of + normal);
@@ -367,13 +312,14 @@ LPF_ONE_BODY void wallOfParticle(
             const auto there =
                 of[area] > T(Real(0)) && d > own<Real>(-p.outOfSight);
             const T A = onlyIf(d > own<Real>(-p.behind), of[area]);
-            const LayerSums<T> s = layerSums<layers>(W, rSqr, d, p.layerDepth);
+            const LayerSums<T> s =
+                layerSums<layers>(around.W, rSqr, d, p.layerDepth);
 
             addWall(total, LayerSums<T>{A * s.E, A * s.D}, n, of[friction]);
             if constexpr (kind != wallSums::plain)
             {
                 constexpr int D = kind == wallSums::withShare3 ? 3 : 2;
-                total.share += solidShare<D>(W, rSqr, d, A);
+                total.share += solidShare<D>(around.W, rSqr, d, A);
             }
             nearest.see(there, rSqr, d, n);
         }
@@ -384,51 +330,33 @@ LPF_ONE_BODY void wallOfParticle(
     nearest.store(out);
 }
 
-template<wallSums kind, int layers, class Real>
+template<wallSums kind, int layers>
 void wallInLayers(const wallPass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf near(
-        p, {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
-    );
-    const double* const fields[8] = {
-        p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu};
-    const neighbourTable& table = *near;
-    const auto size = (static_cast<std::size_t>(table.others) + 1) * 8;
-    // most steps find the elements as they were
-    const bool kept = p.version != 0 && table.recordsVersion == p.version;
-    const Real* records = kept ? table.records.room<Real>(size)
-                               : makeRecords(table, where, fields);
-    table.recordsVersion = p.version;
-
-    forListed(
-        *near,
-        [&](int i)
+    recordFields<8> fields = {
+        {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu}};
+    fields.version = p.version; // most steps find the elements as they were
+    overPairs(
+        p,
+        elementsOf(p),
+        fields,
+        [&](const auto& around, int i)
         {
             if (p.slot[i] >= 0)
             {
-                wallOfParticle<kind, layers, Real>(
-                    p, W, *near, where, records, i
-                );
+                wallOfParticle<kind, layers>(p, around, i);
             }
         }
     );
 }
 
 //- Layers that a particle can see over the ground that it may come near to
-template<wallSums kind, class Real>
-void wallIn(const wallPass& p)
-{
-    constexpr double rounding = 1 + 1e-9;
-    const bool two = rounding * (2.5 * p.layerDepth + p.behind) >= 2 * p.h;
-    two ? wallInLayers<kind, 2, Real>(p) : wallInLayers<kind, 3, Real>(p);
-}
-
 template<wallSums kind>
 void wall(const wallPass& p)
 {
-    p.single ? wallIn<kind, float>(p) : wallIn<kind, double>(p);
+    constexpr double rounding = 1 + 1e-9;
+    const bool two = rounding * (2.5 * p.layerDepth + p.behind) >= 2 * p.h;
+    two ? wallInLayers<kind, 2>(p) : wallInLayers<kind, 3>(p);
 }
 
 void anyWall(const wallPass& p)

@@ -5,7 +5,6 @@
 #include "enginePasses.H"
 #include "listLoops.H"
 #include "waterTerms.H"
-#include "wendlandC2.H"
 
 namespace lpfPairs
 {
@@ -22,30 +21,21 @@ enum viscousField
     velocity = 5
 };
 
-LPF_ONE_BODY void viscousForceOn(
-    const viscousPass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<double>& where,
-    const double* records,
-    int i
-)
+template<class Around>
+LPF_ONE_BODY void
+viscousForceOn(const viscousPass& p, const Around& around, int i)
 {
     const Vec<T> u_i = own<double>(p.u[0], p.u[1], p.u[2], i);
     const T eta_i(p.eta[i]), weight(p.weight);
     Vec<T> total = {};
 
-    overList<double, 8>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {p.x[i], p.y[i], p.z[i]},
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             addViscousForce(
                 total,
-                T(weight * of[volume] * W.gradByDistance(rSqr)),
+                T(weight * of[volume] * around.W.gradByDistance(rSqr)),
                 T(eta_i + of[viscosity]),
                 x_ij,
                 u_i - vectorOf(of + velocity)
@@ -62,31 +52,22 @@ enum elementField
     area = 6
 };
 
-template<int layers>
-LPF_ONE_BODY void stickOfParticle(
-    const stickPass& p,
-    const wendlandC2& W,
-    const neighbourTable& elements,
-    const places<double>& where,
-    const double* records,
-    int i
-)
+template<int layers, class Around>
+LPF_ONE_BODY void
+stickOfParticle(const stickPass& p, const Around& around, int i)
 {
     StickSums<T> total = {};
     const stickShape shape = {p.layerDepth, p.nearest};
-    overList<double, 8>(
-        elements,
-        where,
-        records,
+    around.each(
         i,
-        {p.x[i], p.y[i], p.z[i]},
         [&](const T* of, const Vec<T>& x_iq, const T& rSqr)
         {
             const Vec<T> n = vectorOf(of + normal);
             const T A = onlyIf(
-                (x_iq & n) > T(-p.behind) && rSqr < T(W.supportSqr()), of[area]
+                (x_iq & n) > T(-p.behind) && rSqr < T(around.W.supportSqr()),
+                of[area]
             );
-            addStick<layers>(total, W, x_iq, n, A, shape);
+            addStick<layers>(total, around.W, x_iq, n, A, shape);
         }
     );
 
@@ -107,38 +88,30 @@ LPF_ONE_BODY void stickOfParticle(
 
 void viscousForce(const viscousPass& p)
 {
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<double> where(p.h);
-    const pairsOf pairs(p, searchOf(p));
-    const double* const fields[8] = {
-        p.x, p.y, p.z, p.V, p.eta, p.u[0], p.u[1], p.u[2]};
-    const double* records = makeRecords(*pairs, where, fields);
-
-    forListed(
-        *pairs, [&](int i) { viscousForceOn(p, W, *pairs, where, records, i); }
+    const recordFields<8> fields = {
+        {p.x, p.y, p.z, p.V, p.eta, p.u[0], p.u[1], p.u[2]}};
+    overPairsIn<double>(
+        p,
+        searchOf(p),
+        fields,
+        [&](const auto& around, int i) { viscousForceOn(p, around, i); }
     );
 }
 
 void stickToGround(const stickPass& p)
 {
     constexpr int layers = 3;
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<double> where(p.h);
-    const pairsOf near(
-        p, {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
-    );
-    const double* const fields[8] = {
-        p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, nullptr};
-    const double* records = makeRecords(*near, where, fields);
-    (*near).recordsVersion = 0; // those of the pass before are gone
-
-    forListed(
-        *near,
-        [&](int i)
+    const recordFields<8> fields = {
+        {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area}};
+    overPairsIn<double>(
+        p,
+        elementsOf(p),
+        fields,
+        [&](const auto& around, int i)
         {
             if (p.slot[i] >= 0)
             {
-                stickOfParticle<layers>(p, W, *near, where, records, i);
+                stickOfParticle<layers>(p, around, i);
             }
         }
     );

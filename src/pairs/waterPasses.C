@@ -5,7 +5,6 @@
 #include "listLoops.H"
 #include "pairTerms.H"
 #include "waterTerms.H"
-#include "wendlandC2.H"
 
 namespace lpfPairs
 {
@@ -32,22 +31,15 @@ constexpr int continuityFields(bool withStrain)
 }
 constexpr int ownVelocity = 8;
 
-template<bool withFill, bool withStrain, class Real>
-LPF_ONE_BODY void continuityOfParticle(
-    const waterContinuityPass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<bool withFill, bool withStrain, class Around>
+LPF_ONE_BODY void
+continuityOfParticle(const waterContinuityPass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
-    constexpr int count = continuityFields(withStrain);
-    const Real* here = records + static_cast<std::size_t>(i) * count;
+    using Real = typename Around::Real;
+    using T = typename Around::T;
     const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
     // differences of density from what both are near to
-    const T rho_i(here[density]), rho0(Real(0));
+    const T rho_i = own<Real>(p.rho[i] - p.rho0), rho0(Real(0));
     const double* H = p.hydrostatic;
     const Vec<T> hydrostatic = own<Real>(H, H + 1, H + 2, 0);
     Continuity<T> total = {};
@@ -59,19 +51,17 @@ LPF_ONE_BODY void continuityOfParticle(
         U_i = own<Real>(p.U[0], p.U[1], p.U[2], i);
     }
 
-    overList<Real, count>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {here[0], here[1], here[2]},
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             const T VF =
-                own<Real>(p.scale) * of[volume] * W.gradByDistance(rSqr);
+                own<Real>(p.scale) * of[volume] * around.W.gradByDistance(rSqr);
             if constexpr (withFill)
             {
-                addFilling(filling, T(of[volume] * W.value(rSqr)), VF, x_ij);
+                addFilling(
+                    filling, T(of[volume] * around.W.value(rSqr)), VF, x_ij
+                );
             }
             addVelocityGradient(total, VF, x_ij, v_i - vectorOf(of + velocity));
             if constexpr (withStrain)
@@ -102,46 +92,24 @@ LPF_ONE_BODY void continuityOfParticle(
     }
 }
 
-template<bool withFill, bool withStrain, class Real>
-void continuityIn(const waterContinuityPass& p)
-{
-    constexpr int count = continuityFields(withStrain);
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf pairs(p, searchOf(p));
-    const double* const all[12] = {
-        p.x,
-        p.y,
-        p.z,
-        p.V,
-        p.u,
-        p.v,
-        p.w,
-        p.rho,
-        p.U[0],
-        p.U[1],
-        p.U[2],
-        nullptr};
-    const double* fields[count];
-    std::copy_n(all, count, fields);
-    const Real* records = makeRecords(*pairs, where, fields, density, p.rho0);
-
-    forListed(
-        *pairs,
-        [&](int i)
-        {
-            continuityOfParticle<withFill, withStrain, Real>(
-                p, W, *pairs, where, records, i
-            );
-        }
-    );
-}
-
 template<bool withFill, bool withStrain>
 void continuity(const waterContinuityPass& p)
 {
-    p.single ? continuityIn<withFill, withStrain, float>(p)
-             : continuityIn<withFill, withStrain, double>(p);
+    recordFields<continuityFields(withStrain)> fields = {
+        {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho}};
+    if constexpr (withStrain)
+    {
+        std::copy_n(p.U, 3, fields.of + ownVelocity);
+    }
+    fields.levelled = density;
+    fields.level = p.rho0;
+    overPairs(
+        p,
+        searchOf(p),
+        fields,
+        [&](const auto& around, int i)
+        { continuityOfParticle<withFill, withStrain>(p, around, i); }
+    );
 }
 
 enum class friction
@@ -224,32 +192,21 @@ LPF_INLINE void addViscous(
     lost.viscous += constant<T>(-0.5) * factor * (ij.v & ij.x);
 }
 
-template<friction kind, class Real>
-LPF_ONE_BODY void forceOnWater(
-    const waterForcePass& p,
-    const wendlandC2& W,
-    const neighbourTable& pairs,
-    const places<Real>& where,
-    const Real* records,
-    int i
-)
+template<friction kind, class Around>
+LPF_ONE_BODY void
+forceOnWater(const waterForcePass& p, const Around& around, int i)
 {
-    using T = packOf<Real>;
-    constexpr int count = 12;
-    const Real* here = records + static_cast<std::size_t>(i) * count;
+    using Real = typename Around::Real;
+    using T = typename Around::T;
     const T P_i = own<Real>(p.P[i]);
     Vec<T> total = {}, perMass = {}, perVolume = {};
     lostPower<T> lost;
 
-    overList<Real, count>(
-        pairs,
-        where,
-        records,
+    around.each(
         i,
-        {here[0], here[1], here[2]},
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            const T F = W.gradByDistance(rSqr);
+            const T F = around.W.gradByDistance(rSqr);
             const T VF = own<Real>(p.scale) * of[volume] * F;
             addPressureForce(total, VF, P_i, of[pressure], x_ij);
             if constexpr (kind != friction::none)
@@ -287,27 +244,17 @@ LPF_ONE_BODY void forceOnWater(
     }
 }
 
-template<friction kind, class Real>
-void forceIn(const waterForcePass& p)
-{
-    const wendlandC2 W(p.h, p.dimensions);
-    const places<Real> where(p.h);
-    const pairsOf pairs(p, searchOf(p));
-    const double* const fields[12] = {
-        p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho, p.P, p.m, p.balsara, p.eta};
-    const Real* records = makeRecords(*pairs, where, fields);
-
-    forListed(
-        *pairs,
-        [&](int i)
-        { forceOnWater<kind, Real>(p, W, *pairs, where, records, i); }
-    );
-}
-
 template<friction kind>
 void force(const waterForcePass& p)
 {
-    p.single ? forceIn<kind, float>(p) : forceIn<kind, double>(p);
+    const recordFields<12> fields = {
+        {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho, p.P, p.m, p.balsara, p.eta}};
+    overPairs(
+        p,
+        searchOf(p),
+        fields,
+        [&](const auto& around, int i) { forceOnWater<kind>(p, around, i); }
+    );
 }
 
 } // namespace

@@ -5,6 +5,7 @@ Standard library only. Fields are read from binary or ascii files of
 <time>/lagrangian/<cloud>/ as lists of floats or tuples.
 """
 import array
+import math
 import os
 import re
 import shutil
@@ -120,6 +121,27 @@ class Case:
             values.frombytes(body[begin: begin + 24])
             result.append(tuple(values))
         return result
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def rms(values):
+    return math.sqrt(mean(v * v for v in values))
+
+
+def averaged(case, times, name, cloud):
+    """Field by id, mean over times; each value a tuple"""
+    total = {}
+    for time in times:
+        ids = case.field(time, "id", cloud)
+        for i, v in zip(ids, case.field(time, name, cloud)):
+            v = v if isinstance(v, tuple) else (v,)
+            old = total.get(i, (0.0,) * len(v))
+            total[i] = tuple(a + b / len(times) for a, b in zip(old, v))
+    return total
 
 
 def jobs():

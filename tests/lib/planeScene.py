@@ -8,7 +8,7 @@ import os
 import re
 from dataclasses import dataclass, field
 
-from lpfCase import Case
+from lpfCase import Case, averaged, mean, rms  # noqa: F401
 
 G = 9.81
 RHO_P, RHO_F = 2600.0, 1000.0
@@ -123,27 +123,6 @@ class Scene:
         case.run("terrainToParticles")
         case.run("lpfSolver", "-threads", "1")
         return case
-
-
-def mean(values):
-    values = list(values)
-    return sum(values) / len(values)
-
-
-def rms(values):
-    return math.sqrt(mean(v * v for v in values))
-
-
-def averaged(case, times, name, cloud):
-    """Field by id, mean over times; each value a tuple"""
-    total = {}
-    for time in times:
-        ids = case.field(time, "id", cloud)
-        for i, v in zip(ids, case.field(time, name, cloud)):
-            v = v if isinstance(v, tuple) else (v,)
-            old = total.get(i, (0.0,) * len(v))
-            total[i] = tuple(a + b / len(times) for a, b in zip(old, v))
-    return total
 
 
 def thickness(case, time, cloud, edges, volume):

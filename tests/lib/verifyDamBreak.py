@@ -33,6 +33,18 @@ def binned(function, edges, parts=20):
         for a, b in zip(edges, edges[1:])]
 
 
+def depths(case, scene, xs, h0, unit, exact):
+    """Depth over h0 in bins(...) at the last time, against exact(x); x over unit"""
+    edges, centres = xs
+    found = [h / h0 for h in thickness(
+        case, case.times()[-1], scene.phases, edges, scene.dx ** 2)]
+    expected = binned(exact, edges)
+    xs = [x / unit for x in centres]
+    return Measured(
+        {"depth": rms(f - e for f, e in zip(found, expected))},
+        {"reference": (xs, expected), "": (xs, found)})
+
+
 class Ritter(Verification):
     name = "ritter"
     reference = (
@@ -57,14 +69,9 @@ class Ritter(Verification):
         scene.gravity = gravity
         t = scene.end = 5 * math.sqrt(H0 / G)
         case = scene.run("%s%d" % (self.name, layers))
-        edges, centres = bins(-0.8 * c0 * t, c0 * t, 36)
-        found = thickness(case, case.times()[-1], "water", edges, scene.dx ** 2)
-        exact = binned(lambda x: ritter(x, t, c0), edges)
-        error = rms(f / H0 - e for f, e in zip(found, exact))
-        scaled = [x / (c0 * t) for x in centres]
-        return Measured({"depth": error}, {
-            "reference": (scaled, exact),
-            "": (scaled, [f / H0 for f in found])})
+        return depths(
+            case, scene, bins(-0.8 * c0 * t, c0 * t, 36), H0, c0 * t,
+            lambda x: ritter(x, t, c0))
 
 
 def stoker(ratio):
@@ -104,7 +111,6 @@ class Stoker(Verification):
         scene.release += scene.box("bed", 0, end, 0, bed * H0, "water {}")
         t = scene.end = 5 * math.sqrt(H0 / G)
         case = scene.run("%s%d" % (self.name, layers))
-        edges, centres = bins(-0.8 * c0 * t, 1.3 * c0 * t, 42)
         hm, um, S = stoker(self.ratio)
 
         def depth(x):
@@ -113,13 +119,8 @@ class Stoker(Verification):
                 return self.ratio
             return max(hm, ritter(x, t, c0))
 
-        found = thickness(case, case.times()[-1], "water", edges, scene.dx ** 2)
-        exact = binned(depth, edges)
-        scaled = [x / (c0 * t) for x in centres]
-        return Measured(
-            {"depth": rms(f / H0 - e for f, e in zip(found, exact))},
-            {"reference": (scaled, exact),
-             "": (scaled, [f / H0 for f in found])})
+        return depths(
+            case, scene, bins(-0.8 * c0 * t, 1.3 * c0 * t, 42), H0, c0 * t, depth)
 
 
 def table(name):

@@ -3,9 +3,9 @@
 and the parabolic cap of Savage and Hutter; a granular dam break on a slope."""
 import math
 
-from planeScene import G, RHO_F, RHO_P, Scene, mean, rms, thickness
+from planeScene import G, RHO_F, RHO_P, Scene, mean, thickness
 from verify import Measured, Verification
-from verifyDamBreak import bins, binned, ritter
+from verifyDamBreak import bins, binned, depths, ritter
 
 RIGID = {"muS": 0.6, "mu2": 0.6, "nu": 0, "stiffness": 20, "cohesion": 1e4}
 STILL = "bulkDamping 0.3; noiseDamping 0.3;"
@@ -197,14 +197,10 @@ class Mangeney(Verification):
         scene.release = scene.box(
             "dam", -6.2 * h0, 0, 0, h0, "grains { solidFraction 0.6; }")
         case = scene.run("%s%d" % (self.name, layers))
-        edges, centres = bins(
+        xs = bins(
             -0.8 * c0 * t + 0.5 * m0 * t * t, c0 * t + 0.5 * m0 * t * t, 36)
-        found = thickness(case, case.times()[-1], "grains", edges, scene.dx ** 2)
-        exact = binned(lambda x: ritter(x, t, c0, m0), edges)
-        xs = [c / h0 for c in centres]
-        return Measured(
-            {"depth": rms(f / h0 - e for f, e in zip(found, exact))},
-            {"reference": (xs, exact), "": (xs, [f / h0 for f in found])})
+        return depths(
+            case, scene, xs, h0, h0, lambda x: ritter(x, t, c0, m0))
 
 
 class Smooth(Mangeney):

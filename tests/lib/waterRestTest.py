@@ -14,7 +14,7 @@ import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-from lpfCase import Case, jobs, ok
+from lpfCase import Case, averaged, jobs, mean, ok
 from tankShapes import DX, SHAPES, release
 
 G = 9.81
@@ -61,23 +61,6 @@ def write(case, scene, kind, end):
         "writeControl adjustableRunTime; writeInterval %.17g;" % (end, end / 40),
     )
     case.write("system/lpfSolution", SCHEME[kind] + "logInterval 200;")
-
-
-def mean(values):
-    values = list(values)
-    return sum(values) / len(values)
-
-
-def averaged(case, times, name, cloud):
-    """Field of each id, mean over times"""
-    total = {}
-    for time in times:
-        ids = case.field(time, "id", cloud)
-        for i, v in zip(ids, case.field(time, name, cloud)):
-            v = v if isinstance(v, tuple) else (v,)
-            old = total.get(i, (0.0,) * len(v))
-            total[i] = tuple(a + b / len(times) for a, b in zip(old, v))
-    return total
 
 
 def cell(x):

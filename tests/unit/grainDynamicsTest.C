@@ -8,9 +8,7 @@
 #include "engineLoader.H"
 #include "grainDynamics.H"
 #include "sampleGrains.H"
-#include "triangles.H"
-
-#include "StringStream.H"
+#include "sampleGround.H"
 
 #include <map>
 
@@ -63,9 +61,7 @@ public:
 
 elasticity someElasticity()
 {
-    return elasticity(
-        dictionary(IStringStream("nu 0.3; E 1e6;")()), {1500, 10, 1}
-    );
+    return elasticity(dictOf("nu 0.3; E 1e6;"), {1500, 10, 1});
 }
 
 
@@ -121,18 +117,6 @@ void addQuad(
     all.append(corners{a, a + along, a + along + up});
     all.append(corners{a, a + along + up, a + up});
 }
-
-autoPtr<ground> groundOf(const List<corners>& all)
-{
-    PtrList<groundPart> parts;
-    parts.append(
-        autoPtr<groundPart>(new triangles(all, labelList(all.size(), label(0))))
-    );
-    return autoPtr<ground>::New(
-        std::move(parts), wordList({"floor"}), Zero, ""
-    );
-}
-
 
 //- Everything that a set of grains over a ground needs
 struct testScene
@@ -215,7 +199,7 @@ struct testScene
         stress->sigma = sigma;
         contact.reset(new groundContact(
             *bed,
-            dictionary(IStringStream("zones { floor { friction none; } }")()),
+            dictOf("zones { floor { friction none; } }"),
             dx,
             scene.dimensions == 2 ? scene.planeThickness : 0,
             scene.planeNormal

@@ -7,9 +7,7 @@
 #include "engineLoader.H"
 #include "interphase.H"
 #include "sampleGrains.H"
-#include "triangles.H"
-
-#include "StringStream.H"
+#include "sampleGround.H"
 
 #include <random>
 
@@ -45,27 +43,11 @@ public:
     double storedEnergy(const grainPoint&) const override { return 0; }
 };
 
-autoPtr<ground> farGround()
-{
-    List<corners> t;
-    t.append(corners{point(500, 0, 0), point(501, 0, 0), point(501, 1, 0)});
-    PtrList<groundPart> parts;
-    parts.append(autoPtr<groundPart>(new triangles(t, labelList(1, label(0)))));
-    return autoPtr<ground>::New(
-        std::move(parts), wordList({"floor"}), Zero, ""
-    );
-}
-
-dictionary dictOf(const char* text)
-{
-    return dictionary(IStringStream(text)());
-}
-
 //- A periodic box of grains and water
 struct box
 {
     sceneProperties scene;
-    autoPtr<ground> bed = farGround();
+    autoPtr<ground> bed = groundFarAway();
     groundContact contact;
     stressless rheology;
     autoPtr<equationOfState> state;
@@ -548,7 +530,7 @@ TEST_CASE("drag: least velocity of fluidisation, 5 % of Ergun")
     for (const char* name : {"Ergun", "Gidaspow"})
     {
         const autoPtr<dragLaw> law =
-            dragLaw::New(dictOf((word("drag ") + name + ";").c_str()));
+            dragLaw::New(dictOf("drag " + std::string(name) + ";"));
         box b(xi, 0, 14, law.get());
         b.arrange();
         const double push = xi * (rhoGrain - rhoWater) * g0 / rhoWater;

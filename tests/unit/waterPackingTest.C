@@ -6,11 +6,9 @@
 
 #include "engineLoader.H"
 #include "sampleGrains.H"
-#include "triangles.H"
+#include "sampleGround.H"
 #include "waterDynamics.H"
 #include "wendlandC2.H"
-
-#include "StringStream.H"
 
 using namespace Foam;
 using namespace Foam::lpf;
@@ -21,22 +19,6 @@ namespace
 constexpr double dx = 0.1, h = 1.3 * dx, rho0 = 1000, c0 = 20;
 constexpr int cells = 8;
 constexpr double period = cells * dx;
-
-dictionary dictOf(const char* text)
-{
-    return dictionary(IStringStream(text)());
-}
-
-autoPtr<ground> groundFarAway()
-{
-    List<corners> t;
-    t.append(corners{point(500, 0, 0), point(501, 0, 0), point(501, 1, 0)});
-    PtrList<groundPart> parts;
-    parts.append(autoPtr<groundPart>(new triangles(t, labelList(1, label(0)))));
-    return autoPtr<ground>::New(
-        std::move(parts), wordList({"floor"}), Zero, ""
-    );
-}
 
 //- A periodic box of water under the pressure head [m], at rest
 struct waterBox

@@ -7,9 +7,7 @@
 #include "engineLoader.H"
 #include "interphase.H"
 #include "sampleGrains.H"
-#include "triangles.H"
-
-#include "StringStream.H"
+#include "sampleGround.H"
 
 #include <cmath>
 #include <sstream>
@@ -21,11 +19,6 @@ namespace
 {
 
 constexpr double rho = 1000;
-
-dictionary dictOf(const std::string& text)
-{
-    return dictionary(IStringStream(text)());
-}
 
 std::string newtonian(double mu)
 {
@@ -74,12 +67,7 @@ autoPtr<ground> floorOf(const waterBoxShape& s)
     List<corners> all;
     all.append(corners{p, q, r});
     all.append(corners{p, r, t});
-    PtrList<groundPart> parts;
-    parts.append(autoPtr<groundPart>(new triangles(all, labelList(2, label(0))))
-    );
-    return autoPtr<ground>::New(
-        std::move(parts), wordList({"floor"}), Zero, ""
-    );
+    return groundOf(all);
 }
 
 //- Water alone, periodic along x and y, and along z or over a floor
