@@ -458,6 +458,7 @@ word caseRun::readSolution()
          "artificialViscosity",
          "noiseDamping",
          "bulkDamping",
+         "grains",
          "water",
          "instructionSet",
          "precision",
@@ -481,6 +482,10 @@ word caseRun::readSolution()
         readChoice(dict, "precision", {"double", "single"}, "double")
         == "single";
 
+    if (const dictionary* grains = optionalDictionary(dict, "grains"))
+    {
+        readGrainScheme(*grains);
+    }
     if (const dictionary* water = optionalDictionary(dict, "water"))
     {
         readWaterScheme(*water);
@@ -496,6 +501,21 @@ word caseRun::readSolution()
         {"auto", "x86-64-v2", "x86-64-v3", "x86-64-v4"},
         "auto"
     );
+}
+
+void caseRun::readGrainScheme(const dictionary& dict)
+{
+    allowOnly(dict, {"densityRelaxation", "shifting"});
+    bounds k;
+    k.lower = 0;
+    k.upper = 1;
+    k.reason = "it draws the density to what the packing of the particles "
+               "says where they shear; above 1 it makes noise; write 0 or 0.1";
+    scheme_.densityRelaxation =
+        readNumber(dict, "densityRelaxation", dimless, k, 0);
+    k.reason = "it moves particles apart where they are crowded and shear; "
+               "above 1 a step takes them too far; write 0 or 0.3";
+    scheme_.shifting = readNumber(dict, "shifting", dimless, k, 0);
 }
 
 void caseRun::readWaterScheme(const dictionary& dict)
@@ -823,7 +843,9 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << scene_.h << " m, " << scene_.dimensions << " dimensions" << nl
              << "Artificial viscosity " << scheme_.artificialViscosity
              << ", noise damping " << scheme_.noiseDamping << ", bulk damping "
-             << scheme_.bulkDamping << ", CFL " << scheme_.CFL << nl;
+             << scheme_.bulkDamping << ", density relaxation "
+             << scheme_.densityRelaxation << ", shifting " << scheme_.shifting
+             << ", CFL " << scheme_.CFL << nl;
     }
     if (flow_.water)
     {

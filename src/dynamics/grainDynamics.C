@@ -3,6 +3,7 @@
 
 #include "coulomb.H"
 #include "fieldTensors.H"
+#include "latticeSums.H"
 #include "momentInverse.H"
 #include "pairTerms.H"
 
@@ -38,7 +39,13 @@ grainDynamics::grainDynamics(
     bool wet
 )
     : phaseDynamics(engine, scene, contact, grains), scheme_(scheme),
-      rheology_(rheology), wet_(wet), grains(wet)
+      rheology_(rheology), wet_(wet),
+      latticeFill_(lpfPairs::latticeFill(
+          lpfPairs::wendlandC2(scene.h, scene.dimensions),
+          scene.spacing,
+          scene.dimensions
+      )),
+      grains(wet)
 {
 }
 
@@ -46,10 +53,9 @@ void grainDynamics::densityFromPressure()
 {
     for (int i = 0; i < grains.size(); ++i)
     {
-        const double p =
-            -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
         grains.rho[i] =
-            grains.rhoRef[i] * (1 + p / rheology_.elastic().K()); // (T 3.4)
+            grains.rhoRef[i]
+            * (1 + pressureAt(i) / rheology_.elastic().K()); // (T 3.4)
     }
 }
 
@@ -201,13 +207,17 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     setTensor(grains.L, i, mirrored + (P & (own - mirrored))); // (T 4.4)
 }
 
+double grainDynamics::pressureAt(int i) const
+{
+    return -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
+}
+
 // Damping of waves of compression, which grains do not carry far: an addition
 // to the pressure, nowhere below zero in sum                        (T 3.15)
 //     q = - beta rho c h tr L,  q >= -p where p > 0, else 0
 double grainDynamics::dampingPressure(int i) const
 {
-    const double p =
-        -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
+    const double p = pressureAt(i);
     const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
     const double q = -scheme_.bulkDamping * grains.rho[i]
                    * rheology_.elastic().c() * scene_.h * trL;
@@ -308,9 +318,13 @@ void grainDynamics::rates(scalar dt, scalar time)
     volumes();
 
     kinematics();
-    seeGround(wet_);
+    seeGround(wet_ || scheme_.seesPacking());
     near_.resize(walls_.size());
     gradient();
+    if (scheme_.seesPacking())
+    {
+        followPacking(dt);
+    }
     stress(dt);
 
     if (scheme_.noiseDamping > 0)
@@ -332,6 +346,18 @@ void grainDynamics::kinematics()
     for (std::size_t c = 0; c < 6; ++c)
     {
         k.M[c] = grains.B[c].data();
+    }
+    if (scheme_.seesPacking())
+    {
+        fill_.resize(grains.size());
+        lpf::resize(gradFill_, grains.size());
+        k.m = grains.mass.data();
+        k.fill = fill_.data();
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            k.gradFill[c] = gradFill_[c].data();
+        }
+        k.thickness = scene_.planeThickness;
     }
     engine_.kinematics(k);
 }
@@ -498,7 +524,8 @@ scalar grainDynamics::storedEnergy(int i) const
 std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + viscousPower_.bytes() + lpf::bytes(flow_);
+         + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
+         + lpf::bytes(gradFill_);
 }
 
 } // namespace lpf

@@ -4,6 +4,8 @@
 #include "fieldTensors.H"
 #include "orderedSum.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace lpf
@@ -230,7 +232,14 @@ void interphase::forces()
     const int n = grains.size();
     const passTimes::timed pass(times, "pressure on grains");
 
-    lpfPairs::smoothPass p = {crossed(grains_, water_), 3, {}, {}};
+    const bool asks = water_.asksGrains();
+    lpfPairs::smoothPass p = {crossed(grains_, water_), asks ? 4 : 3, {}, {}};
+    if (asks)
+    {
+        packed_.resize(n);
+        p.q[3] = water.V.data();
+        p.out[3] = packed_.data();
+    }
     for (std::size_t c = 0; c < 3; ++c)
     {
         lpfPairs::forEach(
@@ -394,6 +403,36 @@ void interphase::drag(scalar dt)
     // dv_j = sum_k J_k W_kj/rb_k,  dv_a = - sum_k J_k W_ka/rf_k      (T 6.9)
     distribute(grains_, fromGrains_, 1, grains_.grains.drag, dt);
     distribute(water_, fromWater_, -1, water_.water.drag, dt);
+    if (water_.asksGrains())
+    {
+        relaxWater(dt);
+    }
+}
+
+// What the water around a grain fills of its place beyond what there is,
+//     e_k = g(S_k) (S_k - 1),  S_k = sum_a V_a W_ka + gam,             (T 6.16)
+// g from 0 at S = 0.7 to 1 at 0.85. A grain stands where it does whatever the
+// water does: there the sum has no bias, which it has at the water itself.
+scalar interphase::excess(int k) const
+{
+    constexpr scalar from = 0.7, to = 0.85;
+    const scalar S = packed_[k] + grains_.groundShare(k); // (T 6.16)
+    return std::clamp((S - from) / (to - from), 0.0, 1.0) * (S - 1);
+}
+
+// e_a = sum_k Vs_k W_ka/SO_k e_k/sum_k Vs_k W_ka/SO_k,  the water of (T 6.17)
+void interphase::relaxWater(scalar dt)
+{
+    const waterStore& water = water_.water;
+    lpfPairs::forEach(
+        water.size(),
+        [&](int a)
+        {
+            const scalar chi = (1 / water.theta[a] - 1) / crowding_[a];
+            excess_[a] = chi > SMALL ? excess_[a] / chi : 0;
+        }
+    );
+    water_.relaxByGrains(excess_, dt);
 }
 
 // Work of an impulse: on the mean of the velocities before the kick that went
@@ -406,7 +445,19 @@ void interphase::distribute(
     scalar dt
 )
 {
-    lpfPairs::smoothPass p = {crossed(to, grains_), 3, {}, {}};
+    const bool asks = &to == &water_ && water_.asksGrains();
+    lpfPairs::smoothPass p = {crossed(to, grains_), asks ? 4 : 3, {}, {}};
+    if (asks)
+    {
+        const int n = grains_.grains.size();
+        lpfPairs::forEach(
+            n, [&](int k) { fromGrains[3][k] = around_[k] * excess(k); }
+        );
+        fromGrains[3].pad(n, 0);
+        excess_.resize(water_.water.size());
+        p.q[3] = fromGrains[3].data();
+        p.out[3] = excess_.data();
+    }
     for (std::size_t c = 0; c < 3; ++c)
     {
         fromGrains[c].pad(grains_.grains.size(), 0);
@@ -449,7 +500,8 @@ std::size_t interphase::bytes() const
 {
     return waterAtGrains_.bytes() + grainsAtWater_.bytes()
          + grainsAtGrains_.bytes() + Vs_.bytes() + around_.bytes()
-         + crowding_.bytes() + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
+         + crowding_.bytes() + packed_.bytes() + excess_.bytes()
+         + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
          + lpf::bytes(carried_);
 }
 

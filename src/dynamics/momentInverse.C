@@ -44,6 +44,11 @@ double smallestEigenvalue(const Moment& M)
 
 } // namespace
 
+bool allBelow(const Moment& M, double s)
+{
+    return above({-M.xx, -M.xy, -M.xz, -M.yy, -M.yz, -M.zz}, -s);
+}
+
 Moment momentInverse(Moment M)
 {
     if (!above(M, 0.5))

@@ -50,6 +50,12 @@ waterDynamics::waterDynamics(
           scene.spacing,
           scene.dimensions
       )),
+      wideLatticeFill_(lpfPairs::latticeFill(
+          lpfPairs::wendlandC2(scene.h, scene.dimensions),
+          scene.spacing * std::pow(2.0, 1.0 / scene.dimensions),
+          scene.dimensions
+      )),
+      placeOfLattice_(std::pow(scene.spacing, scene.dimensions)),
       water(withGrains)
 {
     const bool byRate = viscosity.needsShearRate();
@@ -257,6 +263,10 @@ void waterDynamics::correct(scalar dt)
         scheme_.densityDiffusion * scene_.h * state_.c0();
     const scalar quiet = 1e-4 * state_.c0() / scene_.h;
     const bool relaxes = scheme_.densityRelaxation > 0;
+    if (asksGrains())
+    {
+        byGrains_.resize(n);
+    }
     const scalar lowest = lowestDensity * state_.rho0();
 
     ledger.diffusion +=
@@ -269,7 +279,7 @@ void waterDynamics::correct(scalar dt)
                 const scalar rho =
                     max(lowest, water.rho[i] * (1 - half) / (1 + half));
                 const scalar relaxed =
-                    relaxes ? rho * (1 + dt * relaxation(i)) : rho;
+                    relaxes ? rho * (1 + dt * drawnBack(i)) : rho;
                 water.rho[i] =
                     max(lowest,
                         relaxed + dt * diffusivity * water.diffusion[i]);
@@ -549,8 +559,8 @@ scalar waterDynamics::storedEnergy(int i) const
 std::size_t waterDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + eta_.bytes() + fill_.bytes() + lpf::bytes(gradFill_)
-         + lpf::bytes(strain_) + shearRate_.bytes()
+         + eta_.bytes() + fill_.bytes() + byGrains_.bytes()
+         + lpf::bytes(gradFill_) + lpf::bytes(strain_) + shearRate_.bytes()
          + (viscous_ ? viscous_->bytes() : 0);
 }
 

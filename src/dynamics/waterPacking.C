@@ -4,7 +4,10 @@
 #include "waterDynamics.H"
 
 #include "fieldTensors.H"
+#include "latticeSums.H"
 #include "orderedSum.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -13,24 +16,6 @@ namespace lpf
 
 using lpfPairs::orderedSum;
 using lpfPairs::sumOf;
-
-namespace
-{
-
-//- Share of a kernel that a lattice behind a plane would fill, from that of the
-//  solid, to 0.4 %
-scalar latticeShare(scalar gam)
-{
-    constexpr scalar excess = 0.02;
-    return gam - excess * gam / (gam + excess);
-}
-
-scalar between0and1(scalar a)
-{
-    return min(scalar(1), max(scalar(0), a));
-}
-
-} // namespace
 
 //     S = sum V W + l(gam) + l(gam')                                (T 5.13)
 // gam' beyond the free surface
@@ -47,7 +32,8 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
     const scalar ratio =
         scene_.h * mag(s.gradient) / max(fill_[i] + gam, SMALL);
     s.beyond = surface_.beyond(ratio);
-    s.S = fill_[i] + latticeShare(gam) + latticeShare(s.beyond); // (T 5.13)
+    s.S = fill_[i] + lpfPairs::latticeShare(gam)
+        + lpfPairs::latticeShare(s.beyond); // (T 5.13)
     return s;
 }
 
@@ -55,14 +41,66 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
 // goes back to that slowly, faster where the flow deforms: a rate [1/s] of
 //     kappa (c0/h + 100 (|div| + |curl|)) g(S) (S/S_lattice - 1),
 // g from 0 at S = 0.6 to 1 at 0.8                                    (T 5.14)
-scalar waterDynamics::relaxation(int i) const
+scalar waterDynamics::relaxation(int i, const packing& s) const
 {
     constexpr scalar from = 0.6, to = 0.8, byDeformation = 100;
-    const scalar S = packingAt(i).S;
-    const scalar g = between0and1((S - from) / (to - from));
-    const scalar rate = state_.c0() / scene_.h
-                      + byDeformation * (mag(water.rate[i]) + water.curl[i]);
-    return scheme_.densityRelaxation * rate * g * (S / latticeFill_ - 1);
+    const scalar g = std::clamp((s.S - from) / (to - from), 0.0, 1.0);
+    const scalar rate = state_.c0() / scene_.h + byDeformation * deformation(i);
+    return scheme_.densityRelaxation * rate * g * (s.S / fillOfLattice(i) - 1);
+}
+
+// That of a lattice whose particles fill V each, linear in V          (T 5.13)
+scalar waterDynamics::fillOfLattice(int i) const
+{
+    return latticeFill_
+         + (water.V[i] / placeOfLattice_ - 1)
+               * (wideLatticeFill_ - latticeFill_);
+}
+
+scalar waterDynamics::deformation(int i) const
+{
+    return mag(water.rate[i]) + water.curl[i];
+}
+
+// Among grains the grains tell (T 6.17): their part in what is said
+scalar waterDynamics::shareOfGrains(int i) const
+{
+    constexpr scalar few = 0.1;
+    return withGrains_ ? min(scalar(1), (1 / water.theta[i] - 1) / few) : 0;
+}
+
+scalar waterDynamics::drawnBack(int i)
+{
+    const packing s = packingAt(i);
+    const scalar b = withGrains_ ? shareOfGrains(i) * inTheDepth(s) : 0;
+    if (withGrains_)
+    {
+        byGrains_[i] = deformation(i) * b;
+    }
+    return (1 - b) * relaxation(i, s);
+}
+
+// rho <- rho (1 + dt rate e_a)                                      (T 6.17)
+void waterDynamics::relaxByGrains(const realArray& excess, scalar dt)
+{
+    ledger.diffusion +=
+        orderedSum<sumOf<scalar>>(
+            water.size(),
+            [&](int i)
+            {
+                const scalar before = state_.energy(water.rho[i]);
+                water.rho[i] *= 1 + dt * byGrains_[i] * excess[i];
+                return sumOf<scalar>{
+                    water.mass[i] * (before - state_.energy(water.rho[i]))};
+            }
+        ).value;
+}
+
+// 1 - 10 gam', within 0 and 1
+scalar waterDynamics::inTheDepth(const packing& s)
+{
+    constexpr scalar surfaceShare = 0.1;
+    return std::clamp(1 - s.beyond / surfaceShare, 0.0, 1.0);
 }
 
 // Towards where there are fewer particles, in the depth of the water:
@@ -70,15 +108,14 @@ scalar waterDynamics::relaxation(int i) const
 // both brackets within 0 and 1                                       (T 5.23)
 vector waterDynamics::shiftVelocity(int i) const
 {
-    constexpr scalar surfaceShare = 0.1, shallow = 1, Mach = 0.1;
+    constexpr scalar shallow = 1, Mach = 0.1;
     const scalar head = water.p[i] / (state_.rho0() * mag(scene_.g) * scene_.h);
     if (head <= shallow)
     {
         return Zero;
     }
     const packing s = packingAt(i);
-    const scalar fade = between0and1(1 - s.beyond / surfaceShare)
-                      * between0and1(head - shallow);
+    const scalar fade = inTheDepth(s) * std::clamp(head - shallow, 0.0, 1.0);
     return (-scheme_.shifting * Mach * state_.c0() * scene_.h * fade)
          * s.gradient;
 }

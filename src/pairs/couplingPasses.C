@@ -63,6 +63,9 @@ void smoothed(const smoothPass& p)
     case 3:
         smoothAll<3>(p);
         break;
+    case 4:
+        smoothAll<4>(p);
+        break;
     case 5:
         smoothAll<5>(p);
         break;

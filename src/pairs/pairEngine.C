@@ -23,6 +23,7 @@ enum grainField
 {
     volume = 3,
     velocity = 4,
+    filled = 7, //!< mass, of the kinematics pass
     moment = 4, //!< of the force pass, nine
     flow = 13,  //!< velocity there, with viscosity
     density = 16,
@@ -32,24 +33,27 @@ enum grainField
 
 //- Outside the support F = 0, and in the record of nobody V = 0: both remove
 //  what is there, as it is finite
-template<class Around>
+template<bool withFill, class Around>
 LPF_ONE_BODY void
 kinematicsOfParticle(const kinematicsPass& p, const Around& around, int i)
 {
     using T = typename Around::T;
     const Vec<T> v_i = own<typename Around::Real>(p.u, p.v, p.w, i);
     Kinematics<T> total = {};
+    [[maybe_unused]] Filling<T> filling = {};
 
     around.each(
         i,
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            addKinematics(
-                total,
-                T(of[volume] * around.W.gradByDistance(rSqr)),
-                x_ij,
-                v_i - vectorOf(of + velocity)
-            );
+            const T VF = of[volume] * around.W.gradByDistance(rSqr);
+            addKinematics(total, VF, x_ij, v_i - vectorOf(of + velocity));
+            if constexpr (withFill)
+            {
+                addFilling(
+                    filling, T(of[filled] * around.W.value(rSqr)), VF, x_ij
+                );
+            }
         }
     );
 
@@ -58,17 +62,29 @@ kinematicsOfParticle(const kinematicsPass& p, const Around& around, int i)
     store(total.R.z, p.R + 6, i);
     store(Vec<T>{total.M.xx, total.M.xy, total.M.xz}, p.M, i);
     store(Vec<T>{total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
+    if constexpr (withFill)
+    {
+        p.fill[i] = sum(filling.fill) / p.thickness;
+        store(filling.gradient, p.gradFill, i);
+    }
 }
 
+template<bool withFill>
 void kinematics(const kinematicsPass& p)
 {
-    const recordFields<8> fields = {{p.x, p.y, p.z, p.V, p.u, p.v, p.w}};
+    const recordFields<8> fields = {{p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.m}};
     overPairs(
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { kinematicsOfParticle(p, around, i); }
+        [&](const auto& around, int i)
+        { kinematicsOfParticle<withFill>(p, around, i); }
     );
+}
+
+void anyKinematics(const kinematicsPass& p)
+{
+    p.fill ? kinematics<true>(p) : kinematics<false>(p);
 }
 
 //- What acts between particles besides the stress
@@ -412,7 +428,7 @@ const pairEngine engine = {
     deleteTable,
     searchPairs,
     sizeOfTable,
-    kinematics,
+    anyKinematics,
     anyForce,
     anyWall,
     waterContinuity,

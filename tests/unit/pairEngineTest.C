@@ -285,7 +285,7 @@ results kinematicsOf(const cloud& c, const pairEngine* engine)
     results all(15, c.n);
     if (engine)
     {
-        lpfPairs::kinematicsPass p;
+        lpfPairs::kinematicsPass p = {};
         c.fill(p);
         p.u = c.u[0].data();
         p.v = c.u[1].data();

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the packing of the particles says of the density of grains, and of where
+// they should go, where the flow shears. Both vanish at rest.
+#include "grainDynamics.H"
+
+#include "fieldTensors.H"
+#include "latticeSums.H"
+#include "momentInverse.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace lpf
+{
+
+using lpfPairs::orderedSum;
+using lpfPairs::sumOf;
+
+namespace
+{
+
+//- gdot = sqrt(2 dev D:dev D)
+scalar shearRate(const Tens& L)
+{
+    const Symm D = symm(L);
+    const double mean = (D.xx + D.yy + D.zz) / 3;
+    const double xx = D.xx - mean, yy = D.yy - mean, zz = D.zz - mean;
+    return std::sqrt(
+        2
+        * (xx * xx + yy * yy + zz * zz
+           + 2 * (D.xy * D.xy + D.xz * D.xz + D.yz * D.yz))
+    );
+}
+
+} // namespace
+
+//     S = (sum m W + l(gam) rho)/Sc,  e = S - rho                     (T 3.16)
+// e < 0 counts where neighbours are all around
+scalar grainDynamics::looseness(int i, bool surrounded) const
+{
+    const scalar gam = max(scalar(0), groundShare(i));
+    const scalar rho = grains.rho[i];
+    const scalar S =
+        (fill_[i] + lpfPairs::latticeShare(gam) * rho) / latticeFill_;
+    const scalar e = S - rho;
+    return e > 0 || surrounded ? e : 0;
+}
+
+//     rho <- rho + dt k gdot e                                        (T 3.17)
+//     v_s = - A gdot h^2 grad S, in the depth and where p > 0         (T 3.18)
+void grainDynamics::followPacking(scalar dt)
+{
+    const passTimes::timed pass(times, "packing");
+    constexpr scalar nearlyAll = 0.9, inTheDepth = 0.85;
+    const scalar hSqr = sqr(scene_.h);
+    ledger.diffusion +=
+        orderedSum<sumOf<scalar>>(
+            grains.size(),
+            [&](int i)
+            {
+                const Symm B = symmAt(grains.B, i);
+                const scalar gdot = shearRate(tensorAt(grains.L, i));
+                const scalar before = storedEnergy(i);
+                const scalar e = looseness(i, allBelow(B, 1 / nearlyAll));
+                grains.rho[i] += dt * scheme_.densityRelaxation * gdot * e;
+
+                vector gradS = at(gradFill_, i);
+                if (slot_[i] >= 0)
+                {
+                    gradS -= toVector(contracted(
+                        thirdMoment(walls_[static_cast<std::size_t>(slot_[i])])
+                    ));
+                }
+                const bool held =
+                    pressureAt(i) > 0 && allBelow(B, 1 / inTheDepth);
+                set(gradFill_,
+                    i,
+                    held ? vector(-scheme_.shifting * gdot * hSqr * gradS)
+                         : vector(Zero));
+                return sumOf<scalar>{before - storedEnergy(i)};
+            }
+        ).value;
+}
+
+// x <- x + dt v_s; what that does to the energy is booked
+void grainDynamics::drift(scalar dt, scalar time)
+{
+    if (scheme_.shifting > 0)
+    {
+        ledger.shifting +=
+            orderedSum<sumOf<scalar>>(
+                grains.size(),
+                [&](int i)
+                {
+                    const vector d = dt * at(gradFill_, i);
+                    set(grains.x, i, at(grains.x, i) + d);
+                    return sumOf<scalar>{grains.mass[i] * (scene_.g & d)};
+                }
+            ).value;
+    }
+    phaseDynamics::drift(dt, time);
+}
+
+} // namespace lpf
+} // namespace Foam
