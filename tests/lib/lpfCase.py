@@ -97,6 +97,19 @@ class Case:
             tuple(flat[k * width: (k + 1) * width]) for k in range(count)
         ]
 
+    def change(self, name, changed, cloud="grains", time="0"):
+        """Positions or a field of numbers, each value by a function of it"""
+        values = [changed(v) for v in self.field(time, name, cloud)]
+        kind, line = "scalarField", "%r\n"
+        if name == "positions":
+            kind, line = "Cloud<passiveParticle>", "(%r %r %r) 0\n"
+        file = os.path.join(self.path, time, "lagrangian", cloud, name)
+        with open(file, "w") as f:
+            f.write(
+                "FoamFile { version 2.0; format ascii; class %s; object %s; }\n"
+                "%d\n(\n%s)\n"
+                % (kind, name, len(values), "".join(line % v for v in values)))
+
     @staticmethod
     def _numbers(body, count, binary, code, convert):
         if binary:

@@ -60,6 +60,11 @@ class Scene:
             (x, -side * y, 0), (x, side * y, 0),
             (x, side * y, high), (x, -side * y, high)))
 
+    def ceiling(self, x0, x1, z, zone="ceiling"):
+        y = self.half + (0 if self.width and not self.cyclic else 3 * self.dx)
+        return polygon("ceiling", zone, (
+            (x0, -y, z), (x0, y, z), (x1, y, z), (x1, -y, z)))
+
     def box(self, name, x0, x1, z0, z1, content, speed=0.0):
         y = self.half
         return (
@@ -119,9 +124,13 @@ class Scene:
         return case
 
     def run(self, name):
+        case = self.prepared(name)
+        case.run("lpfSolver", "-threads", "1")
+        return case
+
+    def prepared(self, name):
         case = self.write(name)
         case.run("terrainToParticles")
-        case.run("lpfSolver", "-threads", "1")
         return case
 
 
