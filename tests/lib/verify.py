@@ -21,7 +21,7 @@ from lpfCase import ok
 # The files of cases; each lists its classes in CASES
 MODULES = (
     "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs",
-    "verifyViscous", "verifyFlow", "verifyColumns", "verifyNumerics",
+    "verifyViscous", "verifyConsolidation", "verifyFlow", "verifyColumns", "verifyNumerics",
 )
 
 
