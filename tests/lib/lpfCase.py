@@ -98,9 +98,13 @@ class Case:
         ]
 
     def change(self, name, changed, cloud="grains", time="0"):
-        """Positions or a field of numbers, each value by a function of it"""
-        values = [changed(v) for v in self.field(time, name, cloud)]
+        """Positions or a field of numbers or vectors, each value by a function
+        of it and of where it is"""
+        values = [changed(v, x) for v, x in zip(
+            self.field(time, name, cloud), self.field(time, "positions", cloud))]
         kind, line = "scalarField", "%r\n"
+        if isinstance(values[0], tuple):
+            kind, line = "vectorField", "(%r %r %r)\n"
         if name == "positions":
             kind, line = "Cloud<passiveParticle>", "(%r %r %r) 0\n"
         file = os.path.join(self.path, time, "lagrangian", cloud, name)

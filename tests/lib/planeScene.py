@@ -35,6 +35,7 @@ class Scene:
     diameter: float = 0.0005
     mu: float = 0.0  # viscosity of the water [Pa s]
     rhoWater: float = RHO_F
+    rhoGrains: float = RHO_P
     water: str = ""
     more: str = ""  # of terrainToParticlesDict
     solution: str = ""
@@ -79,7 +80,7 @@ class Scene:
                 "muS": 0.3839, "mu2": 0.6494, "I0": 0.28, "nu": 0.3,
                 "E": "auto", "initialStress": "geostatic", **self.grains}
             text += "grains { rho %g; diameter %g; rheology muI; muICoeffs { %s } }\n" % (
-                RHO_P, self.diameter,
+                self.rhoGrains, self.diameter,
                 " ".join("%s %s;" % item for item in coeffs.items()))
         if "water" in self.phases:
             text += "water { rho %g; NewtonianCoeffs { mu %.17g; } %s }\n" % (

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A saturated bed that carries nothing at the start: the water carries it, and
-flows out while the load goes over to the grains (Terzaghi)."""
+"""Saturated grains that carry nothing at the start: the water carries them.
+On a floor it flows out while the load goes over to the grains (Terzaghi); without
+one the bed falls through it, which is a bed at the onset of fluidisation."""
 import math
 import re
 
@@ -26,6 +27,15 @@ def mobility(xi, diameter):
     """Darcy: k/mu, of the flux through the whole area. The water loses
     dp/dx = beta u/e where its own speed is u over that of the grains"""
     return (1 - xi) ** 2 / beta(xi, diameter)
+
+
+def fluidising(xi, diameter, rho=RHO_P, mu=MU):
+    """Superficial speed at which Ergun's loss of pressure carries a bed"""
+    e = 1 - xi
+    a = 1.75 * xi * RHO_F / (e ** 3 * diameter)
+    b = 150 * xi * xi * mu / (e ** 3 * diameter ** 2)
+    weight = xi * (rho - RHO_F) * G
+    return (math.sqrt(b * b + 4 * a * weight) - b) / (2 * a)
 
 
 def excess(z, T):
@@ -79,7 +89,7 @@ class Terzaghi(Verification):
         scene.end, scene.writes = 0.3, 20
         case = scene.prepared("%s%d" % (self.name, layers))
         # the water carries the grains: no stress in them, all in balance
-        case.change("p", lambda p: p * BULK / RHO_F, "water")
+        case.change("p", lambda p, _: p * BULK / RHO_F, "water")
         case.run("lpfSolver", "-threads", "1")
         return self.compared(case)
 
@@ -134,4 +144,87 @@ class Terzaghi(Verification):
         curves[word] = ([f for _, f in points], [z for z, _ in points])
 
 
-CASES = (Terzaghi,)
+class Fluidisation(Verification):
+    """In the frame of the bed the water of a closed vessel flows up through it
+    at the speed of its fall: nothing but water carries the grains, so this speed
+    is the least that fluidises them, and the gradient of the pressure the
+    critical one. There is no boundary that lets water in, and cyclic planes
+    cannot be level"""
+
+    name = "fluidisation"
+    reference = (
+        "a bed of 0.1 m, solid fraction 0.5, grains of 2 mm, falls through still "
+        "water: speed of fall, the flux of the water through it, U_mf = %.5f m/s of "
+        "Ergun, of the middle half of the bed; excess pressure below it over rho_f g "
+        "times its thickness, i_c = (1 - n)(G_s - 1) = %g; means from 0.01 to 0.025 "
+        "of its thickness in fall: its lower side breaks up from 0.03 on" % (
+            fluidising(XI, 2e-3), XI * (RHO_P / RHO_F - 1)))
+    bounds = {"velocity": 0.05, "gradient": 0.05}
+    axes = ("t [s]", "v/U_mf, i/i_c")
+    negatives = {
+        "grains of 1.8 mm": ({"diameter": 1.8e-3}, "velocity", 20),
+        "grains of 2400 kg/m3": ({"rho": 2400}, "gradient", 20)}
+    thick, deep = 0.1, 0.25
+
+    def measure(self, layers, diameter=2e-3, rho=RHO_P):
+        thick = self.thick
+        dx = thick / layers
+        L = 6 * dx
+        scene = Scene(
+            dx=dx, phases="grains water", maxSpeed=0.1, mu=MU, log=200,
+            diameter=diameter, rhoGrains=rho, cyclic="x (0 %.17g);" % L,
+            grains={"nu": 0.3, "initialStress": "zero"})
+        scene.ground = scene.floor(-8 * dx, 16 * dx)
+        scene.release = scene.box(
+            "lake", 0, L, 0, self.deep, "water {}") + scene.box(
+            "bed", 0, L, thick, 2 * thick,
+            "grains { solidFraction %g; } water { saturation 1; }" % XI)
+        scene.end = 0.025 * thick / fluidising(XI, 2e-3)
+        scene.writes = 40
+        case = scene.prepared("%s%d" % (self.name, layers))
+        self.steady(case, diameter, rho)
+        case.run("lpfSolver", "-threads", "1")
+        return self.compared(case)
+
+    def steady(self, case, diameter, rho):
+        """Water carries the bed from the start, which falls already"""
+        thick, weight = self.thick, XI * (rho - RHO_F) * G
+        speed = fluidising(XI, diameter, rho)
+
+        def inside(x):
+            return thick < x[2] < 2 * thick
+
+        case.change("p", lambda p, x: p + weight * min(
+            thick, max(0, 2 * thick - x[2])), "water")
+        case.change("U", lambda u, x: (0.0, 0.0, -speed))
+        case.change("U", lambda u, x: (
+            0.0, 0.0, speed * XI / (1 - XI) if inside(x) else 0.0), "water")
+
+    def compared(self, case):
+        speed, critical = fluidising(XI, 2e-3), XI * (RHO_P / RHO_F - 1)
+        t, v, i = [], [], []
+        for time in case.times():
+            x = case.field(time, "positions")
+            middle = mean(p[2] for p in x)
+
+            def inside(p):
+                return abs(p[2] - middle) < self.thick / 4
+
+            t.append(float(time))
+            v.append(-mean(u[2] for p, u in zip(x, case.field(time, "U"))
+                           if inside(p)) / speed)
+            # of the water below, a fifth of the thickness from its lower side
+            i.append(mean(
+                p - RHO_F * G * (self.deep - x[2]) for x, p in zip(
+                    case.field(time, "positions", "water"),
+                    case.field(time, "p", "water")) if x[2] < 0.8 * self.thick)
+                / (critical * RHO_F * G * self.thick))
+        late = range(16, len(t))
+        return Measured(
+            {"velocity": mean(v[k] for k in late) - 1,
+             "gradient": mean(i[k] for k in late) - 1},
+            {"reference": ([t[16], t[-1]], [1, 1]), "v/U_mf": (t, v),
+             "i/i_c": (t, i)})
+
+
+CASES = (Terzaghi, Fluidisation)

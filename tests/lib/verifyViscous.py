@@ -90,13 +90,13 @@ class Viscous(Verification):
             self.disturb(case, scene.dx)
         if self.ceiling:
             # water has no suction: without it the ceiling lets go of it
-            case.change("p", lambda p: p + 0.5 * RHO_F * G * H, "water")
+            case.change("p", lambda p, _: p + 0.5 * RHO_F * G * H, "water")
         case.run("lpfSolver", "-threads", "1")
         return self.compared(case)
 
     def disturb(self, case, dx):
         generator, a = random.Random(1), self.disorder * dx
-        case.change("positions", lambda x: (
+        case.change("positions", lambda x, _: (
             x[0] + generator.uniform(-a, a), x[1],
             x[2] + generator.uniform(-a, a)), "water")
 
