@@ -20,8 +20,9 @@ from lpfCase import ok
 
 # The files of cases; each lists its classes in CASES
 MODULES = (
-    "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs",
-    "verifyViscous", "verifyConsolidation", "verifyFlow", "verifyColumns", "verifyNumerics",
+    "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs", "verifyOnset",
+    "verifyViscous", "verifyConsolidation", "verifyFlow", "verifyColumns",
+    "verifyNumerics",
 )
 
 
@@ -40,6 +41,7 @@ class Verification:
     layers = (10, 20, 40)  # what one resolution is called in the report
     of = "layers"
     bounds = {}  # quantity: largest error
+    units = {}  # quantity: unit of its error, where that is not relative
     judged = None  # layers from which the bound is asked for; default the last
     # the error of the last resolution must also be below that of the first
     converges = False
@@ -124,6 +126,7 @@ def row(case, quantity, runs):
         good = good and observed is not None and observed >= least
     return {
         "quantity": quantity,
+        "unit": case.units.get(quantity),
         "bound": bound,
         "least order": least,
         "errors": errors,
@@ -189,7 +192,8 @@ def control(case):
         bound = case.bounds[quantity]
         good = abs(right) <= bound < abs(wrong) < math.inf
         rows.append({
-            "control": name, "quantity": quantity, "bound": bound,
+            "control": name, "quantity": quantity,
+            "unit": case.units.get(quantity), "bound": bound,
             "layers": case.label(layers), "right": right, "wrong": wrong,
             "seen": good})
         ok(good, "%s: with %s, %s is off by %+.4g, without by %+.4g; bound %g"
