@@ -21,8 +21,8 @@ from lpfCase import ok
 # The files of cases; each lists its classes in CASES
 MODULES = (
     "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs", "verifyOnset",
-    "verifyViscous", "verifyConsolidation", "verifyFlow", "verifyColumns",
-    "verifyNumerics",
+    "verifyViscous", "verifyConsolidation", "verifyBoiling", "verifyFlow",
+    "verifyColumns", "verifyNumerics",
 )
 
 

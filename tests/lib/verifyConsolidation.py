@@ -65,11 +65,12 @@ class Terzaghi(Verification):
         "Terzaghi with its own weight as the load: excess pore pressure "
         "xi (rho_p - rho_f) g (H - z) at the start, closed base, drained top, series "
         "with c_v = B M k/mu; from 0.05 to 0.9 in c_v t/H^2; L2 over the excess at "
-        "the base; settlement of the top over its final one. H 0.2 m, solid fraction 0.5, k/mu = (1 - xi)^2/beta of "
-        "Gidaspow at Re 0, M and B of the run (printed by it)")
+        "the base; settlement of the top over its final one. H 0.2 m, xi 0.5, "
+        "k/mu = (1 - xi)^2/beta of Gidaspow at Re 0, M and B of the run (printed by "
+        "it)")
     layers = (10, 20, 40)
     bounds = {"excess pressure": 0.05, "settlement": 0.05}
-    axes = ("excess pressure, settlement over their largest", "z/H; c_v t/H^2 (settlement)")
+    axes = ("excess, settlement over their largest", "z/H; c_v t/H^2")
     negatives = {
         "grains of 1.2 times the diameter": (
             {"factor": 1.2}, "excess pressure", 20)}

@@ -107,10 +107,10 @@ class Submerged(Onset):
     findings = {"angle": (
         "one degree at 8 layers. Buoyancy is right: 0.1 % across the slope and 2 % "
         "along it in a block that rests. But the start moves the block at 0.002 m/s, "
-        "and while it slides its lowest layer sticks and slips, 0.014 +- 0.010 m/s "
+        "and while it slides its lowest layer sticks and slips, 0.013 +- 0.010 m/s "
         "at 21 degrees: grains that swing back are pushed on by friction, which in "
-        "the mean is 4 % less than mu N, 0.8 degrees, and holds the block at a "
-        "steady creep. At 20 degrees it stops.")}
+        "the mean is then 0.85 mu N (balance of forces), and the block creeps on "
+        "against the water around it. At 20 degrees it stops.")}
     phases = "grains water"
     negatives = {"friction of 0.44": ({"friction": 0.44}, "angle", 4)}
     long, high, tank = 0.08, 0.04, 0.2
