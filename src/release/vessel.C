@@ -231,8 +231,12 @@ List<vessel::freeColumn> vessel::freeColumns() const
             {
                 const point base =
                     frame_.corner + s * frame_.edges[0] + t * frame_.edges[1];
-                const scalar free = reach(base + length * up, up, length);
-                columns.append({base, grid.area, length - free, length});
+                // the top may lie on a ceiling, but for rounding
+                const scalar top = distance(base + length * up) < 0
+                                     ? length - onFace * scene_->grid.spacing
+                                     : length;
+                const scalar free = reach(base + top * up, up, top);
+                columns.append({base, grid.area, top - free, length});
             }
         }
     }
@@ -366,8 +370,9 @@ scalar vessel::depth(const point& x) const
 
 bool vessel::isFree(const point& x) const
 {
-    const scalar height =
-        (1 - frame_.coordinates(x).z()) * mag(frame_.edges[2]);
+    // less than to the top, which may lie on a ceiling
+    const scalar height = (1 - frame_.coordinates(x).z()) * mag(frame_.edges[2])
+                        - onFace * scene_->grid.spacing;
     return distance(x) >= leastWallDistance * scene_->grid.spacing
         && reach(x, -unitUp(), height) >= height;
 }

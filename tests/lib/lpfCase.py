@@ -98,6 +98,23 @@ class Case:
             tuple(flat[k * width: (k + 1) * width]) for k in range(count)
         ]
 
+    def change(self, name, changed, cloud="grains", time="0"):
+        """Positions or a field of numbers or vectors, each value by a function
+        of it and of where it is"""
+        values = [changed(v, x) for v, x in zip(
+            self.field(time, name, cloud), self.field(time, "positions", cloud))]
+        kind, line = "scalarField", "%r\n"
+        if isinstance(values[0], tuple):
+            kind, line = "vectorField", "(%r %r %r)\n"
+        if name == "positions":
+            kind, line = "Cloud<passiveParticle>", "(%r %r %r) 0\n"
+        file = os.path.join(self.path, time, "lagrangian", cloud, name)
+        with open(file, "w") as f:
+            f.write(
+                "FoamFile { version 2.0; format ascii; class %s; object %s; }\n"
+                "%d\n(\n%s)\n"
+                % (kind, name, len(values), "".join(line % v for v in values)))
+
     @staticmethod
     def _numbers(body, count, binary, code, convert):
         if binary:

@@ -35,6 +35,7 @@ class Scene:
     diameter: float = 0.0005
     mu: float = 0.0  # viscosity of the water [Pa s]
     rhoWater: float = RHO_F
+    rhoGrains: float = RHO_P
     water: str = ""
     more: str = ""  # of terrainToParticlesDict
     solution: str = ""
@@ -60,6 +61,11 @@ class Scene:
             (x, -side * y, 0), (x, side * y, 0),
             (x, side * y, high), (x, -side * y, high)))
 
+    def ceiling(self, x0, x1, z, zone="ceiling"):
+        y = self.half + (0 if self.width and not self.cyclic else 3 * self.dx)
+        return polygon("ceiling", zone, (
+            (x0, -y, z), (x0, y, z), (x1, y, z), (x1, -y, z)))
+
     def box(self, name, x0, x1, z0, z1, content, speed=0.0):
         y = self.half
         return (
@@ -74,7 +80,7 @@ class Scene:
                 "muS": 0.3839, "mu2": 0.6494, "I0": 0.28, "nu": 0.3,
                 "E": "auto", "initialStress": "geostatic", **self.grains}
             text += "grains { rho %g; diameter %g; rheology muI; muICoeffs { %s } }\n" % (
-                RHO_P, self.diameter,
+                self.rhoGrains, self.diameter,
                 " ".join("%s %s;" % item for item in coeffs.items()))
         if "water" in self.phases:
             text += "water { rho %g; NewtonianCoeffs { mu %.17g; } %s }\n" % (
@@ -119,9 +125,13 @@ class Scene:
         return case
 
     def run(self, name):
+        case = self.prepared(name)
+        case.run("lpfSolver", "-threads", "1")
+        return case
+
+    def prepared(self, name):
         case = self.write(name)
         case.run("terrainToParticles")
-        case.run("lpfSolver", "-threads", "1")
         return case
 
 

@@ -20,8 +20,9 @@ from lpfCase import ok
 
 # The files of cases; each lists its classes in CASES
 MODULES = (
-    "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs",
-    "verifyFlow", "verifyColumns", "verifyNumerics",
+    "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs", "verifyOnset",
+    "verifyViscous", "verifyConsolidation", "verifyBoiling", "verifyFlow",
+    "verifyColumns", "verifyNumerics",
 )
 
 
@@ -40,9 +41,13 @@ class Verification:
     layers = (10, 20, 40)  # what one resolution is called in the report
     of = "layers"
     bounds = {}  # quantity: largest error
+    units = {}  # quantity: unit of its error, where that is not relative
     judged = None  # layers from which the bound is asked for; default the last
     # the error of the last resolution must also be below that of the first
     converges = False
+    orders = {}  # quantity: least order between the last two resolutions
+    # quantities whose order is that of the last three, to their own limit
+    own_limit = ()
     axes = ("x", "y")
     # quantity: why it is beyond its bound, as far as known
     findings = {}
@@ -85,6 +90,17 @@ def order(layers, errors):
     return math.log(errors[-2] / errors[-1]) / math.log(layers[-1] / layers[-2])
 
 
+def order_to_limit(layers, errors):
+    """Of the last three, each with as many times the layers of the one before:
+    e_n = limit + a n^-order"""
+    if len(errors) < 3 or math.inf in errors[-3:]:
+        return None
+    first, second = errors[-3] - errors[-2], errors[-2] - errors[-1]
+    if not second or first / second <= 0:
+        return None
+    return math.log(first / second) / math.log(layers[-1] / layers[-2])
+
+
 def trusted(layers, errors, bound):
     """Layers from which on every error is within the bound, or None"""
     good = None
@@ -102,13 +118,21 @@ def row(case, quantity, runs):
     good = max(asked) <= bound
     if case.converges:
         good = good and errors[-1] < errors[0]
+    signed = [m.errors[quantity] for m in runs]
+    observed = (order_to_limit(case.layers, signed) if quantity in case.own_limit
+                else order(case.layers, errors))
+    least = case.orders.get(quantity)
+    if least is not None:
+        good = good and observed is not None and observed >= least
     return {
         "quantity": quantity,
+        "unit": case.units.get(quantity),
         "bound": bound,
+        "least order": least,
         "errors": errors,
-        "signed": [m.errors[quantity] for m in runs],
+        "signed": signed,
         "notes": [m.notes.get(quantity, "") for m in runs],
-        "order": order(case.layers, errors),
+        "order": observed,
         "trusted": trusted(case.layers, errors, bound),
         "converging": errors[-1] < errors[0],
         "status": "within" if good else "beyond",
@@ -136,11 +160,13 @@ def verify(case):
         "curves": curves(case, runs),
     }
     for r in rows:
-        ok(r["status"] == "within", "%s: %s, errors %s at %s %s; bound %g at %s%s" % (
+        ok(r["status"] == "within", "%s: %s, errors %s at %s %s; bound %g at %s%s%s" % (
             case.name, r["quantity"],
             ", ".join("%.4g" % e for e in r["errors"]), case.of,
             ", ".join(result["layers"]), r["bound"], result["judged"],
-            ", converging" if case.converges else ""))
+            ", converging" if case.converges else "",
+            "" if r["least order"] is None else ", order %s of at least %g" % (
+                r["order"] and round(r["order"], 2), r["least order"])))
     return result
 
 
@@ -166,7 +192,8 @@ def control(case):
         bound = case.bounds[quantity]
         good = abs(right) <= bound < abs(wrong) < math.inf
         rows.append({
-            "control": name, "quantity": quantity, "bound": bound,
+            "control": name, "quantity": quantity,
+            "unit": case.units.get(quantity), "bound": bound,
             "layers": case.label(layers), "right": right, "wrong": wrong,
             "seen": good})
         ok(good, "%s: with %s, %s is off by %+.4g, without by %+.4g; bound %g"

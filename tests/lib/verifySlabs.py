@@ -83,6 +83,73 @@ class Saturated(Slab):
     negatives = {"friction of 0.5": ({"friction": 0.5}, "acceleration", 4)}
 
 
+def seeping(drive, xi, diameter, mu=1e-3):
+    """Speed of water over that of the grains where drive [Pa/m] of bulk is what
+    Ergun's drag takes: beta u = drive"""
+    a = 1.75 * xi * RHO_F / diameter
+    b = 150 * xi * xi * mu / ((1 - xi) * diameter ** 2)
+    return (math.sqrt(b * b + 4 * a * drive) - b) / (2 * a)
+
+
+class Seepage(Saturated):
+    """The slab of Saturated; and one that friction holds, through which the water
+    goes on"""
+
+    name = "slab.seepage"
+    reference = (
+        "water seeps down through a slab of 25 degrees, grains of 2 mm, solid "
+        "fraction 0.5: slip u of Ergun, beta u = (1 - xi) rho_f (g sin th - a), with a "
+        "= 0 held by friction of 1.2, with a of slab.saturated sliding at 0.4")
+    bounds = {"held": 0.05, "sliding": 0.05}
+    layers = (1, 2, 4, 8, 16)
+    findings = dict.fromkeys(("held", "sliding"), (
+        "the error is half a layer of water, whatever their number. At the "
+        "uppermost layer the kernel is cut off, 0.79 of it is left, and drag reads "
+        "that as a bed of 0.41 in place of 0.5 solid (filled() of "
+        "src/dynamics/interphase.C), so that the water there leads. Tried: with "
+        "shares from 0.78 on read as a full bed the errors are 3.2, 0.3, 0.7 and "
+        "0.8 % at 1, 2, 4 and 8 layers; but then grains that spread out in water "
+        "are read as denser than they are, so it is not done. A share of the "
+        "kernel beyond the surface, as in (T 5.13), would tell both apart."))
+    axes = ("layers", "slip [m/s]")
+    negatives = {"grains of 2.3 mm": ({"diameter": 0.0023}, "held", 16)}
+
+    def run(self, layers, friction, diameter):
+        dx = 0.01
+        L = 8 * dx
+        scene = Scene(
+            dx=dx, phases=self.phases, degrees=self.degrees, log=10,
+            diameter=diameter, mu=1e-3, grains=RIGID, solution=STILL,
+            cyclic="x (0 %g);" % L, end=0.25, writes=10,
+            zones="floor { friction Coulomb; mu %g; }" % friction)
+        scene.ground = scene.floor(-L, 2 * L)
+        scene.release = scene.box("slab", 0, L, 0, layers * dx, self.content)
+        return scene.run("%s%d" % (self.name, layers))
+
+    @staticmethod
+    def slip(case):
+        """Mean of the second half of the run"""
+        times = case.times()
+        return mean(
+            mean(u[0] for u in case.field(t, "U", "water"))
+            - mean(u[0] for u in case.field(t, "U"))
+            for t in times[len(times) // 2:])
+
+    def measure(self, layers, diameter=0.002):
+        sin = math.sin(math.radians(self.degrees))
+        found = [self.slip(self.run(layers, friction, diameter))
+                 for friction in (1.2, self.mu)]
+        exact = [seeping(0.5 * RHO_F * G * (sin - a), 0.5, 0.002)
+                 for a in (0, Saturated().exact())]
+        return Measured(
+            {"held": found[0] / exact[0] - 1, "sliding": found[1] / exact[1] - 1},
+            {"reference": ([1, 16], [exact[0]] * 2),
+             "reference sliding": ([1, 16], [exact[1]] * 2),
+             "held": ([layers, layers + 0.1], [found[0]] * 2),
+             "sliding": ([layers, layers + 0.1], [found[1]] * 2)},
+            {"held": "%.4f m/s" % found[0], "sliding": "%.4f m/s" % found[1]})
+
+
 def growth(tau):
     """g of the plane cap at tau = sqrt(2 C) t, by bisection:
     sqrt(g (g - 1)) + ln(sqrt g + sqrt(g - 1)) = tau"""
@@ -230,4 +297,5 @@ class RoughPlug(Mangeney):
     negatives = {"no basal friction": ({"mu": 0}, "depth", 20)}
 
 
-CASES = (Coulomb, PorePressure, Saturated, Cap, Plug, Smooth, Rough, RoughPlug)
+CASES = (
+    Coulomb, PorePressure, Saturated, Seepage, Cap, Plug, Smooth, Rough, RoughPlug)

@@ -199,6 +199,25 @@ TEST_CASE("a dam break is water alone", "[release][water]")
     CHECK(s.properties().get<scalar>("releaseHeight") == Approx(0.5));
 }
 
+TEST_CASE("water fills its box to a ceiling", "[release][water]")
+{
+    // the height of the ceiling is no whole number of halves, quarters, ..
+    const std::string plate =
+        "ground { floor { type polygon; points ((-1 -1 0) (2 -1 0) (2 2 0)"
+        " (-1 2 0)); } ceiling { type polygon; points ((-1 -1 0.1) (-1 2 0.1)"
+        " (2 2 0.1) (2 -1 0.1)); } }";
+    const scalar layers = GENERATE(10, 20, 30, 40);
+    const scalar spacing = 0.1 / layers;
+    const std::string edge = Foam::name(4 * spacing);
+    const scene s(
+        "spacing " + Foam::name(spacing) + "; origin (0 0 0);" + plate
+            + "release { type box; corner (0 0 0); edges ((" + edge
+            + " 0 0) (0 " + edge + " 0) (0 0 0.1)); water {} }",
+        "water"
+    );
+    CHECK(s.cloud("water").size() == 16 * layers);
+}
+
 TEST_CASE("water has a lattice of its own", "[release][water]")
 {
     const scalar ratio = GENERATE(1, 1.3, 2);
