@@ -17,18 +17,23 @@ Description  rho  <- rho (1 - dt tr L/2)/(1 + dt tr L/2)              (T 3.3)
              gammaDot = sqrt(2 dev D:dev D); Gao et al. (2023) eqs 12-17 with
              the errata of doc/theory.md. The closed form: Dunatunga and Kamrin,
              J. Fluid Mech. 779 (2015) 483, eq. 3.15.
+             mu_s, mu_2 and c here are the slopes and the strength of the cone,
+             frictionMapping of what the user gives              (T 3.16)
 Limits       p -> 0: s -> 0, no division by p or gammaDot. Separated grains
              (p = 0, c = 0) carry no stress; rho is kept above 0.8 rhoRef,
-             because V = mass/rho would grow without bound.
+             because V = mass/rho would grow without bound. In tension, which
+             only cohesion bears, I has no meaning: S = mu_s p + c at any rate,
+             and at the apex p = -c/mu_s no shear.
 Usage        rheology muI;
              muICoeffs
              {
                  muS 0.3839; mu2 0.6494; I0 0.28;      // [-]
                  cohesion [1 -1 -2 0 0 0 0] 0;         // c, shear, [Pa]
-                 frictionMapping tanPhi;               // sqrt(J2)/p = mu
+                 frictionMapping tanPhi;               // frictionMapping.H
                  nu 0.3; E auto; initialStress geostatic;
              }
 */
+#include "frictionMapping.H"
 #include "granularRheology.H"
 #include "inputCheck.H"
 
@@ -48,17 +53,23 @@ using pair::Vec;
 class muI : public pointwiseRheology<muI>
 {
     scalar muS_, mu2_, I0_, cohesion_, diameter_, rhoGrain_;
+    scalar apex_; //!< the lowest p, a tension [Pa]
 
     //- Lowest density as a share of rhoRef
     static constexpr scalar loosest = 0.8;
 
     void read(const dictionary& phase);
 
-    //- p of the density, and whether the tension cut-off acts
+    //- p of the density, cut off at the apex of the cone
     scalar pressure(scalar rho, scalar rhoRef) const
     {
-        const scalar lowest = cohesion_ > 0 ? -cohesion_ / muS_ : 0;
-        return max(lowest, elastic_.K() * (rho / rhoRef - 1)); // (T 3.4)
+        return max(apex_, elastic_.K() * (rho / rhoRef - 1)); // (T 3.4)
+    }
+
+    //- sqrt(J2) up to which grains are elastic
+    scalar yieldStress(scalar p) const
+    {
+        return max(scalar(0), muS_ * p + cohesion_);
     }
 
     //- Energy that yield takes out of a volume in one step: the work of the
@@ -112,14 +123,14 @@ void muI::read(const dictionary& phase)
     friction.lowerOpen = true;
     friction.reason = "a friction coefficient is tan(phi), between 0 and 5; "
                       "write tan of the angle of friction";
-    muS_ = readNumber(coeffs, "muS", dimless, friction);
-    mu2_ = readNumber(coeffs, "mu2", dimless, friction);
-    if (mu2_ < muS_)
+    const scalar muS = readNumber(coeffs, "muS", dimless, friction);
+    const scalar mu2 = readNumber(coeffs, "mu2", dimless, friction);
+    if (mu2 < muS)
     {
         refuse(
             coeffs,
             "mu2",
-            "mu2 = " + Foam::name(mu2_) + " is below muS = " + Foam::name(muS_)
+            "mu2 = " + Foam::name(mu2) + " is below muS = " + Foam::name(muS)
                 + ": friction would fall as the shear rate grows. Write mu2 >= "
                   "muS (equal: rate-independent)"
         );
@@ -134,9 +145,14 @@ void muI::read(const dictionary& phase)
     bounds notNegative;
     notNegative.lower = 0;
     notNegative.reason = "cohesion is a strength, zero or positive";
-    cohesion_ = readNumber(coeffs, "cohesion", dimPressure, notNegative, 0);
+    const scalar c =
+        readNumber(coeffs, "cohesion", dimPressure, notNegative, 0);
 
-    readChoice(coeffs, "frictionMapping", {"tanPhi"}, "tanPhi");
+    const autoPtr<frictionMapping> cone = frictionMapping::New(coeffs);
+    muS_ = cone->slope(muS);
+    mu2_ = cone->slope(mu2);
+    cohesion_ = cone->strength(c, muS);
+    apex_ = cohesion_ > 0 ? -cohesion_ / muS_ : 0;
 
     diameter_ = readNumber(phase, "diameter", dimLength, positive);
     rhoGrain_ = readNumber(phase, "rho", dimDensity, positive);
@@ -148,8 +164,8 @@ void muI::read(const dictionary& phase)
 //  root, written without cancellation
 scalar muI::yieldedStress(scalar S_tr, scalar p, scalar dt) const
 {
-    const scalar S0 = muS_ * p + cohesion_;
-    const scalar S2 = mu2_ * p + cohesion_;
+    const scalar S0 = yieldStress(p);
+    const scalar S2 = p > 0 ? mu2_ * p + cohesion_ : S0;
     const scalar a = I0_ * elastic_.G() * dt * sqrt(max(p, scalar(0)))
                    / (diameter_ * sqrt(rhoGrain_));
     const scalar B = S2 + S_tr + a;
@@ -247,10 +263,10 @@ rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
     const scalar S_tr = sqrt(0.5 * magnitudeSqr(s_tr));
 
     SymmTensor<double> s = s_tr;
-    if (S_tr > muS_ * p + cohesion_)
+    if (S_tr > yieldStress(p))
     {
         s = scaled(yieldedStress(S_tr, p, dt) / S_tr, s_tr); // (T 3.7)
-        (p > 0 ? lost.plastic : lost.separation) +=
+        (p > apex_ ? lost.plastic : lost.separation) +=
             V * dissipation(sOld, s_tr, s);
     }
     g.sigma = s + SymmTensor<double>{-p, 0, 0, -p, 0, -p};
@@ -264,12 +280,11 @@ rheologyLosses muI::correctPoint(grainPoint& g, scalar dt) const
 scalar muI::storedEnergyOf(const grainPoint& g) const
 {
     const scalar K = elastic_.K();
-    const scalar lowest = cohesion_ > 0 ? -cohesion_ / muS_ : 0;
-    const scalar x = max(lowest / K, g.rho / g.rhoRef - 1);
+    const scalar x = max(apex_ / K, g.rho / g.rhoRef - 1);
     const scalar rhoElastic = g.rhoRef * (1 + x);
 
     const scalar bulk = g.mass * K / g.rhoRef * (log1p(x) - x / (1 + x));
-    const scalar opening = -lowest * (g.mass / g.rho - g.mass / rhoElastic);
+    const scalar opening = -apex_ * (g.mass / g.rho - g.mass / rhoElastic);
     const scalar shear =
         g.mass / g.rho * magnitudeSqr(deviator(g.sigma)) / (4 * elastic_.G());
     return bulk + (g.rho < rhoElastic ? opening : 0) + shear;

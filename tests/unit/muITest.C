@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elastic grains with mu(I) yield, at single points: limits and steady shear
-// from published numbers, the law itself, rotation, separation.
+// from published numbers, the law itself, rotation, separation, cohesion, and
+// the cones that an angle of friction is mapped to.
 
 #include <catch2/catch.hpp>
 
+#include "frictionMapping.H"
 #include "granularRheology.H"
 #include "sampleCase.H"
 #include "sampleGrains.H"
@@ -25,6 +27,7 @@ struct material
 {
     double muS = 0.3839, mu2 = 0.6494, I0 = 0.28; // Gao et al. (2023)
     double cohesion = 0, d = 0.005, rho = 2600, E = 1e7, nu = 0.3;
+    const char* mapping = "tanPhi";
 
     double K() const { return E / (3 * (1 - 2 * nu)); }
     double G() const { return E / (2 * (1 + nu)); }
@@ -52,8 +55,9 @@ public:
         text.precision(17);
         text << "rho " << m.rho << "; diameter " << m.d
              << "; rheology muI; muICoeffs { muS " << m.muS << "; mu2 " << m.mu2
-             << "; I0 " << m.I0 << "; cohesion " << m.cohesion << "; nu "
-             << m.nu << "; E " << m.E << "; }";
+             << "; I0 " << m.I0 << "; cohesion " << m.cohesion
+             << "; frictionMapping " << m.mapping << "; nu " << m.nu << "; E "
+             << m.E << "; }";
         const dictionary phase(IStringStream(text.str())());
         rheology_ = granularRheology::New(
             phase, elasticity(phase.subDict("muICoeffs"), {1300, 10, 1})
@@ -110,6 +114,9 @@ public:
         arrays.inertialNumber = &I_;
         lost = rheology_->correct(arrays, dt);
     }
+
+    //- In tension t, no shear
+    void pull(double t) { press(-t); }
 
     //- Plane shear at a rate until nothing changes
     void shear(double rate, int steps, double strain)
@@ -427,6 +434,193 @@ TEST_CASE("muI: cohesion holds shear and a tension of c over mu_s")
     }
     CHECK(-pulled.p() == Approx(m.cohesion / m.muS).epsilon(1e-9));
     CHECK(pulled.rootJ2() < 1e-9 * m.cohesion);
+}
+
+
+TEST_CASE("muI: strength with cohesion, S = mu p + c in pressure and tension")
+{
+    material m;
+    m.cohesion = 300;
+    for (const double p : {-700.0, -300.0, -10.0, 0.0, 10.0, 300.0, 5000.0})
+    {
+        INFO("p " << p);
+        // of the order of what the density holds of p
+        const double digits = 1e-8;
+        // there is no inertial number in tension: any rate is slow
+        const double scale = std::max(p, 300.0);
+        testGrain slow(m);
+        slow.press(p);
+        slow.shear(rateOf(1e-8, scale, m), 400, 1e-5);
+        CHECK(slow.p() == Approx(p).margin(digits));
+        CHECK(slow.sigma().xz() == Approx(m.muS * p + 300).epsilon(2e-5));
+
+        testGrain rapid(m);
+        rapid.press(p);
+        rapid.shear(rateOf(1e7, scale, m), 400, 1e-4);
+        const double limit = (p > 0 ? m.mu2 : m.muS) * p + 300;
+        CHECK(rapid.sigma().xz() == Approx(limit).epsilon(2e-5));
+        CHECK(rapid.p() == Approx(p).margin(digits));
+        CHECK(rapid.lost.separation == 0);
+    }
+}
+
+
+TEST_CASE("muI: at the apex nothing is left but the tension c/mu_s")
+{
+    material m;
+    m.cohesion = 300;
+    const double apex = 300 / 0.3839; // 781.45 Pa
+    testGrain g(m);
+    g.press(1000);
+    g.shear(1, 10, 1e-5);
+    REQUIRE(g.rootJ2() > 0);
+    g.step(tensor::I, 1e-3);
+    CHECK(-g.p() == Approx(apex).epsilon(1e-12));
+    CHECK(g.rootJ2() < 1e-9);
+    CHECK(g.lost.plastic == 0);
+    CHECK(g.lost.separation > 0);
+    CHECK(g.I() == 0);
+    g.shear(1, 10, 1e-5);
+    CHECK(g.rootJ2() < 1e-9);
+    // it opens further at the same tension, and closes again
+    g.step(tensor::I, 1e-3);
+    CHECK(-g.p() == Approx(apex).epsilon(1e-12));
+    g.step(-tensor::I, 3e-3);
+    CHECK(g.p() > 0);
+}
+
+
+TEST_CASE("muI: the work of shear in tension is booked as plastic")
+{
+    material m;
+    m.cohesion = 300;
+    testGrain g(m);
+    g.pull(400);
+    double work = 0, lost = 0;
+    for (int k = 0; k < 8000; ++k)
+    {
+        // from the second cycle on the stress comes back to where it was
+        const double L = (k / 1000) % 2 == 0 ? 1 : -1, dt = 1e-6;
+        const symmTensor old = g.sigma();
+        g.step(tensor(0, 0, L, 0, 0, 0, 0, 0, 0), dt);
+        if (k >= 4000)
+        {
+            const double mean = 0.5 * (old.xz() + g.sigma().xz());
+            work += mean * L * dt * g.mass() / g.rho;
+            lost += g.lost.plastic;
+        }
+    }
+    // 4000 steps of 1e-6 at 300 - 0.3839 400 = 146.44 Pa, less the elastic part
+    // of the turns
+    CHECK(work < 4e-3 * 146.44 * g.mass() / g.rho);
+    CHECK(work > 0.9 * 4e-3 * 146.44 * g.mass() / g.rho);
+    CHECK(lost == Approx(work).epsilon(1e-4));
+}
+
+
+namespace
+{
+
+//- Mohr and Coulomb: principal stresses that yield at an angle, with cohesion
+struct mohrCircle
+{
+    double phi, c;
+
+    //- Radius where the mean of the largest and smallest is M
+    double radius(double M) const
+    {
+        return M * std::sin(phi) + c * std::cos(phi);
+    }
+};
+
+//- How far sqrt(J2) is off the cone of the mapping, over p
+double offCone(const char* name, double rootJ2, double p, double phi, double c)
+{
+    const std::string text = std::string("frictionMapping ") + name + ";";
+    const auto cone = frictionMapping::New(dictionary(IStringStream(text)()));
+    const double mu = std::tan(phi);
+    return (rootJ2 - cone->slope(mu) * p - cone->strength(c, mu)) / p;
+}
+
+} // namespace
+
+
+TEST_CASE("frictionMapping: each meets Mohr and Coulomb in the state it is for")
+{
+    for (const double angle : {5.0, 21.0, 30.0, 45.0, 70.0})
+    {
+        const double phi = angle * 3.14159265358979323846 / 180;
+        for (const double c : {0.0, 120.0, 4000.0})
+        {
+            INFO(angle << " degrees, c " << c);
+            const mohrCircle yield = {phi, c};
+            const double M = 1000, r = yield.radius(M);
+
+            // the stress between is the mean: plane flow of constant volume
+            CHECK(std::abs(offCone("sinPhi", r, M, phi, c)) < 1e-14);
+
+            // s2 = s3, pressed along the third
+            const double rootJ2 = 2 * r / std::sqrt(3.0);
+            const double pressed = (M + r + 2 * (M - r)) / 3;
+            CHECK(
+                std::abs(offCone("compressionCone", rootJ2, pressed, phi, c))
+                < 1e-14
+            );
+
+            // associated flow with no rate out of the plane: the deviator
+            // there is 2 alpha sqrt(J2)/3, alpha = sin/sqrt(3 + sin^2)
+            const double sine = std::sin(phi);
+            const double alpha =
+                std::sqrt(3.0) * sine / std::sqrt(3 + sine * sine);
+            const double S = r / std::sqrt(1 - alpha * alpha / 3);
+            const double p = M + alpha * S / 3;
+            CHECK(std::abs(offCone("planeStrain", S, p, phi, c)) < 1e-14);
+
+            // the plane of tau = c + p tan(phi) itself
+            CHECK(
+                std::abs(offCone("tanPhi", c + M * std::tan(phi), M, phi, c))
+                < 1e-14
+            );
+        }
+    }
+}
+
+
+TEST_CASE("muI: the same 30 degrees on four cones, slow and rapid")
+{
+    struct mapped
+    {
+        const char* name;
+        double slow, rapid; // sqrt(J2)/p of 30 and 40 degrees
+    };
+    const mapped cones[] = {
+        {"planeStrain", 0.480384, 0.602627},
+        {"sinPhi", 0.5, 0.642788},
+        {"tanPhi", 0.577350, 0.839100},
+        {"compressionCone", 0.692820, 0.944625},
+    };
+    for (const mapped& cone : cones)
+    {
+        INFO(cone.name);
+        material m = testGrain::angles(30, 40, 0.28);
+        m.mapping = cone.name;
+        m.cohesion = 200;
+        const double p = 800;
+        const double k = 200 * cone.slow / 0.577350;
+        testGrain slow(m);
+        slow.press(p);
+        slow.shear(rateOf(1e-8, p, m), 400, 1e-5);
+        CHECK(slow.rootJ2() == Approx(cone.slow * p + k).epsilon(3e-6));
+        testGrain rapid(m);
+        rapid.press(p);
+        rapid.shear(rateOf(1e7, p, m), 400, 1e-4);
+        CHECK(rapid.rootJ2() == Approx(cone.rapid * p + k).epsilon(3e-6));
+        // the apex is that of Mohr and Coulomb on every cone
+        testGrain pulled(m);
+        pulled.pull(1e4);
+        pulled.shear(1e-3, 10, 1e-5);
+        CHECK(-pulled.p() == Approx(200 / 0.577350).epsilon(1e-6));
+    }
 }
 
 
