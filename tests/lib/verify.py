@@ -21,7 +21,7 @@ from lpfCase import ok
 # The files of cases; each lists its classes in CASES
 MODULES = (
     "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs",
-    "verifyFlow", "verifyColumns", "verifyNumerics",
+    "verifyFlow", "verifyColumns", "verifyNumerics", "verifyGround",
 )
 
 
