@@ -4,7 +4,7 @@ Class        Foam::lpf::granularRheologies::muJ: grains in a liquid so viscous
              that it hinders them more than their inertia; frictionalRheology
              does the rest.
 Description  mu(J) = mu_s + (mu_2 - mu_s)/(J0/J + 1),
-             J     = mu_f gammaDot/p                                 (T 3.24)
+             J     = mu_f gammaDot/p                                 (T 3.39)
              The part of contacts of F. Boyer, E. Guazzelli, O. Pouliquen, Phys.
              Rev. Lett. 107 (2011) 188301, eq. 5; mu_s 0.32, mu_2 0.7, J0 0.005
              there. What the liquid itself carries between the grains, J +
@@ -53,7 +53,7 @@ public:
 
     scalar number(scalar gammaDot, scalar p) const
     {
-        return viscosity_ * gammaDot / p; // (T 3.24)
+        return viscosity_ * gammaDot / p; // (T 3.39)
     }
 
     scalar halfway(scalar G, scalar dt, scalar p) const

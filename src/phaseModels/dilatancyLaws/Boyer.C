@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::dilatancyLaws::Boyer
-Description  phi_eq = phiC/(1 + sqrt(N))                             (T 3.23)
+Description  phi_eq = phiC/(1 + sqrt(N))                             (T 3.38)
              F. Boyer, E. Guazzelli, O. Pouliquen, Phys. Rev. Lett. 107 (2011)
              188301, eq. 6, of J: phiC 0.585 of spheres.
 Range        rheology muJ; J from 1e-6 to 0.2
@@ -32,7 +32,7 @@ public:
 
     scalar steady(scalar number) const override
     {
-        return phiC_ / (1 + sqrt(number)); // (T 3.23)
+        return phiC_ / (1 + sqrt(number)); // (T 3.38)
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::dilatancyLaws::linear
-Description  phi_eq = phiC - slope N                                 (T 3.22)
+Description  phi_eq = phiC - slope N                                 (T 3.37)
              F. da Cruz et al., Phys. Rev. E 72 (2005) 021309, of I; Pailha and
              Pouliquen (2009) of the viscous number.
 Range        I or J below about 0.3
@@ -38,7 +38,7 @@ public:
 
     scalar steady(scalar number) const override
     {
-        return phiC_ - slope_ * number; // (T 3.22)
+        return phiC_ - slope_ * number; // (T 3.37)
     }
 };
 

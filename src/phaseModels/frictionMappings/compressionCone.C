@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::frictionMappings::compressionCone
-Description  alpha = 6 sin(phi)/(sqrt(3) (3 - sin(phi)))               (T 3.20)
+Description  alpha = 6 sin(phi)/(sqrt(3) (3 - sin(phi)))               (T 3.35)
              The cone through the edges of Mohr and Coulomb's pyramid where two
              principal stresses are equal and the third is larger: triaxial
              compression, as phi is measured in the laboratory. Chen and Han
@@ -30,7 +30,7 @@ public:
     scalar slope(scalar mu) const override
     {
         const scalar sinPhi = mu / sqrt(1 + sqr(mu));
-        return 6 * sinPhi / (sqrt(scalar(3)) * (3 - sinPhi)); // (T 3.20)
+        return 6 * sinPhi / (sqrt(scalar(3)) * (3 - sinPhi)); // (T 3.35)
     }
 };
 

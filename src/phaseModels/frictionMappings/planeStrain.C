@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::frictionMappings::planeStrain
-Description  alpha = 3 tan(phi)/sqrt(9 + 12 tan(phi)^2)               (T 3.19)
+Description  alpha = 3 tan(phi)/sqrt(9 + 12 tan(phi)^2)               (T 3.34)
              The cone that fails as Mohr and Coulomb do in plane strain with
              associated flow (dilatancy of the size of the friction). Drucker
              and Prager (1952).
@@ -28,7 +28,7 @@ public:
 
     scalar slope(scalar mu) const override
     {
-        return 3 * mu / sqrt(9 + 12 * sqr(mu)); // (T 3.19)
+        return 3 * mu / sqrt(9 + 12 * sqr(mu)); // (T 3.34)
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::frictionMappings::sinPhi
-Description  alpha = sin(phi)                                         (T 3.18)
+Description  alpha = sin(phi)                                         (T 3.33)
              The cone that fails as Mohr and Coulomb do in plane strain without
              dilatancy, which is the flow that mu(I) has here: the stress out
              of the plane is then p, sqrt(J2) the radius of Mohr's circle.
@@ -28,7 +28,7 @@ public:
 
     scalar slope(scalar mu) const override
     {
-        return mu / sqrt(1 + sqr(mu)); // (T 3.18)
+        return mu / sqrt(1 + sqr(mu)); // (T 3.33)
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*
 Class        Foam::lpf::frictionMappings::tanPhi
-Description  alpha = tan(phi)                                         (T 3.17)
+Description  alpha = tan(phi)                                         (T 3.32)
              mu is sqrt(J2)/p itself, as measured in flow down an incline, where
              the normal stresses are equal; the mapping of mu(I) and of Gao et
              al. (2023). P. Jop, Y. Forterre, O. Pouliquen, Nature 441 (2006)
@@ -29,7 +29,7 @@ public:
 
     scalar slope(scalar mu) const override
     {
-        return mu; // (T 3.17)
+        return mu; // (T 3.32)
     }
 };
 
