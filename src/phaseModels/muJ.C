@@ -33,10 +33,7 @@ class viscousLaw
     scalar J0_, viscosity_;
 
 public:
-    static wordList keywords()
-    {
-        return wordList({"J0", "fluidViscosity"});
-    }
+    static wordList keywords() { return wordList({"J0", "fluidViscosity"}); }
 
     viscousLaw(const dictionary&, const dictionary& coeffs)
     {
