@@ -326,7 +326,9 @@ void caseRun::readMaterials()
             "write grains { rho 2600; diameter 0.005; rheology muI; "
             "muICoeffs {} }"
         );
-        allowOnly(grains, {"rho", "diameter", "rheology", "muICoeffs"});
+        allowOnly(
+            grains, {"rho", "diameter", "rheology"}, granularRheology::names()
+        );
         bounds positive;
         positive.lower = 0;
         positive.lowerOpen = true;

@@ -40,6 +40,9 @@ grainDynamics::grainDynamics(
 )
     : phaseDynamics(engine, scene, contact, grains), scheme_(scheme),
       rheology_(rheology), wet_(wet),
+      resistance_(
+          groundResistance::forPhase(contact, scene_, &groundZone::grains)
+      ),
       latticeFill_(lpfPairs::latticeFill(
           lpfPairs::wendlandC2(scene.h, scene.dimensions),
           scene.spacing,
@@ -326,6 +329,10 @@ void grainDynamics::rates(scalar dt, scalar time)
         followPacking(dt);
     }
     stress(dt);
+    if (resistance_)
+    {
+        resistOfGround();
+    }
 
     if (scheme_.noiseDamping > 0)
     {
@@ -421,9 +428,43 @@ struct kickSums
 
 } // namespace
 
+void grainDynamics::resistOfGround()
+{
+    const passTimes::timed pass(times, "friction of the ground");
+    resistance_->update(
+        {grains.x, slot_, walls_, grains.size()},
+        [&](int i, const vector& n)
+        {
+            const Vec3 m = toVec(n);
+            return max(scalar(0), -(m & (full(symmAt(grains.sigma, i)) & m)));
+        },
+        grains.rho.data()
+    );
+}
+
 void grainDynamics::kick(scalar dt)
 {
     const passTimes::timed pass(times, "kick");
+    if (resistance_)
+    {
+        kickWith(
+            dt,
+            [&](int i, const vector& U, const vector& n, scalar dry, scalar dv)
+            { return resistance_->after(slot_[i], U, n, dry, dv, dt); }
+        );
+        return;
+    }
+    kickWith(
+        dt,
+        [](int, const vector& U, const vector& n, scalar dry, scalar)
+        { return afterFriction(U, n, dry); }
+    );
+}
+
+//- friction(i, U, n, mu N dt/m, N dt/m): the velocity that it leaves
+template<class Friction>
+void grainDynamics::kickWith(scalar dt, const Friction& friction)
+{
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)
@@ -439,23 +480,28 @@ void grainDynamics::kick(scalar dt)
                 const nearWall& near =
                     near_[static_cast<std::size_t>(slot_[i])];
                 const vector f = toVector(near.f);
-                const scalar N = mag(f);
+                const vector sliding = U;
                 if (near.carried)
                 {
-                    const vector sliding = U;
-                    U = afterFriction(
-                        sliding, f / N, near.friction * N * dt / m
+                    const scalar N = mag(f);
+                    U = friction(
+                        i,
+                        sliding,
+                        f / N,
+                        near.friction * N * dt / m,
+                        N * dt / m
                     );
                     s.wall = f * dt;
                     s.wallNormal = N * dt;
-                    s.friction = m * (U - sliding);
-                    // at the mean velocity of the kick: none where it sticks
-                    s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 }
                 else
                 {
-                    s.tension = 0.5 * dt * (f & (before + U));
+                    U = friction(i, sliding, toVector(near.n), 0, 0);
+                    s.tension = 0.5 * dt * (f & (before + sliding));
                 }
+                s.friction = m * (U - sliding);
+                // at the mean velocity of the kick: none where it sticks
+                s.frictionEnergy = -0.5 * (s.friction & (before + U));
             }
             set(grains.U, i, U);
             return s;
@@ -525,7 +571,7 @@ std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
-         + lpf::bytes(gradFill_);
+         + lpf::bytes(gradFill_) + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -13,35 +13,14 @@ namespace
 
 groundZone readZone(const dictionary& dict)
 {
-    allowOnly(dict, {"friction", "mu", "ru", "waterFriction", "opensAt"});
     groundZone zone;
+    zone.grains = groundLaw::forGrains(dict);
+    zone.water = groundLaw::forWater(dict);
 
     bounds time;
     time.lower = 0;
     time.reason = "a zone opens at a time of the run";
     zone.opensAt = readNumber(dict, "opensAt", dimTime, time, GREAT);
-
-    zone.noSlip = readChoice(dict, "waterFriction", {"none", "noSlip"}, "none")
-               == "noSlip";
-
-    if (readChoice(dict, "friction", {"Coulomb", "none"}) == "none")
-    {
-        return zone;
-    }
-
-    bounds mu;
-    mu.lower = 0;
-    mu.upper = 10;
-    mu.reason = "a friction coefficient is the tangent of an angle; write "
-                "0 to 1.5";
-    zone.mu = readNumber(dict, "mu", dimless, mu);
-
-    bounds ru;
-    ru.lower = 0;
-    ru.upper = 1;
-    ru.reason = "r_u is the share of the normal stress that pore pressure "
-                "carries, 0 to 1";
-    zone.ru = readNumber(dict, "ru", dimless, ru, 0);
     return zone;
 }
 
@@ -165,7 +144,7 @@ void groundContact::takeElements(const surfaceElements& all)
         if (anyStick())
         {
             const auto zone = static_cast<std::size_t>(all.zone[q]);
-            stickArea_[q] = zones_[zone].noSlip ? area_[q] : 0;
+            stickArea_[q] = zones_[zone].water->sticks() ? area_[q] : 0;
         }
     }
 }

@@ -26,6 +26,11 @@ constexpr scalar leastOpen = 0.2;
 //- And its density stays above this
 constexpr scalar lowestDensity = 0.01;
 
+vector normalised(const vector& v)
+{
+    return v / max(mag(v), VSMALL);
+}
+
 } // namespace
 
 waterDynamics::waterDynamics(
@@ -56,6 +61,9 @@ waterDynamics::waterDynamics(
           scene.dimensions
       )),
       placeOfLattice_(std::pow(scene.spacing, scene.dimensions)),
+      resistance_(
+          groundResistance::forPhase(contact, scene_, &groundZone::water)
+      ),
       water(withGrains)
 {
     const bool byRate = viscosity.needsShearRate();
@@ -433,6 +441,20 @@ void waterDynamics::accelerations()
         }
     }
     addForcesOfGround();
+    if (resistance_)
+    {
+        resistOfGround();
+    }
+}
+
+void waterDynamics::resistOfGround()
+{
+    const passTimes::timed pass(times, "friction of the ground");
+    resistance_->update(
+        {water.x, slot_, walls_, water.size()},
+        [&](int i, const vector&) { return water.p[i]; },
+        water.rho.data()
+    );
 }
 
 void waterDynamics::explicitViscosity(bool add)
@@ -471,15 +493,17 @@ namespace
 //- What one kick adds to the ledger
 struct kickSums
 {
-    vector gravity = Zero, wall = Zero;
-    scalar wallNormal = 0, correction = 0;
+    vector gravity = Zero, wall = Zero, friction = Zero;
+    scalar wallNormal = 0, correction = 0, frictionEnergy = 0;
 
     void operator+=(const kickSums& b)
     {
         gravity += b.gravity;
         wall += b.wall;
+        friction += b.friction;
         wallNormal += b.wallNormal;
         correction += b.correction;
+        frictionEnergy += b.frictionEnergy;
     }
 };
 
@@ -497,13 +521,34 @@ waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
 void waterDynamics::kick(scalar dt)
 {
     const passTimes::timed pass(times, "kick");
+    if (resistance_)
+    {
+        kickWith(
+            dt,
+            [&](int i, const vector& U, const nearWall& near)
+            {
+                const vector along = toVector(near.areaNormal);
+                const vector n = normalised(near.carried ? near.force : along);
+                const scalar dv = mag(near.force) * dt / water.mass[i];
+                return resistance_->after(slot_[i], U, n, 0, dv, dt);
+            }
+        );
+        return;
+    }
+    kickWith(dt, [](int, const vector& U, const nearWall&) { return U; });
+}
+
+//- friction(i, U, near): the velocity that the ground leaves
+template<class Friction>
+void waterDynamics::kickWith(scalar dt, const Friction& friction)
+{
     const kickSums sums = orderedSum<kickSums>(
         water.size(),
         [&](int i)
         {
             kickSums s;
             const vector before = at(water.U, i);
-            const vector U = before + at(water.a, i) * dt;
+            vector U = before + at(water.a, i) * dt;
             s.gravity = water.mass[i] * dt * scene_.g;
             if (slot_[i] >= 0)
             {
@@ -512,6 +557,11 @@ void waterDynamics::kick(scalar dt)
                 s.wall = near.force * dt;
                 s.wallNormal = mag(near.force) * dt;
                 s.correction = -dt * (near.correction & meanFlux(i, before, U));
+                const vector sliding = U;
+                U = friction(i, sliding, near);
+                s.friction = water.mass[i] * (U - sliding);
+                // at the mean velocity of the kick, as for grains
+                s.frictionEnergy = -0.5 * (s.friction & (before + U));
             }
             set(water.U, i, U);
             return s;
@@ -523,7 +573,8 @@ void waterDynamics::kick(scalar dt)
     ledger.wallTension += sums.correction;
     ledger.artificial += artificialPower_ * dt;
     ledger.viscous += viscousPower_ * dt;
-    ledger.frictionImpulse += dt * stickForce_;
+    ledger.frictionImpulse += dt * stickForce_ + sums.friction;
+    ledger.friction += sums.frictionEnergy;
 }
 
 timeStepLimit waterDynamics::stableDeltaT() const
@@ -561,7 +612,8 @@ std::size_t waterDynamics::bytes() const
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + eta_.bytes() + fill_.bytes() + byGrains_.bytes()
          + lpf::bytes(gradFill_) + lpf::bytes(strain_) + shearRate_.bytes()
-         + (viscous_ ? viscous_->bytes() : 0);
+         + (viscous_ ? viscous_->bytes() : 0)
+         + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -10,11 +10,14 @@ namespace lpf
 defineTypeNameAndDebug(granularRheology, 0);
 defineRunTimeSelectionTable(granularRheology, dictionary);
 
+wordList granularRheology::names()
+{
+    return dictionaryConstructorTablePtr_->sortedToc();
+}
+
 word granularRheology::nameOf(const dictionary& phase)
 {
-    return readChoice(
-        phase, "rheology", dictionaryConstructorTablePtr_->sortedToc()
-    );
+    return readChoice(phase, "rheology", names());
 }
 
 autoPtr<granularRheology>

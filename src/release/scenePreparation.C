@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenePreparation.H"
 #include "crs.H"
+#include "frictionMapping.H"
 #include "inputCheck.H"
 #include "OSspecific.H"
 
@@ -92,14 +93,16 @@ void scenePreparation::readGrains(const dictionary& grains)
     material_.geostatic =
         readChoice(coeffs, "initialStress", {"geostatic", "zero"}, "geostatic")
         == "geostatic";
-    const scalar muS = coeffs.getOrDefault<scalar>("muS", GREAT);
+    const autoPtr<frictionMapping> cone = frictionMapping::New(coeffs);
+    const scalar muS = cone->slope(coeffs.getOrDefault<scalar>("muS", GREAT));
     const scalar ratio =
         std::sqrt(3.0) * (1 - material_.K0) / (1 + 2 * material_.K0);
     if (material_.geostatic && ratio > muS)
     {
         const scalar k = (std::sqrt(3.0) - muS) / (std::sqrt(3.0) + 2 * muS);
         Info << "The geostatic state, K0 = " << material_.K0
-             << ", has sqrt(J2)/p = " << ratio << ", more than muS = " << muS
+             << ", has sqrt(J2)/p = " << ratio << ", more than the slope "
+             << "of muS, " << muS
              << ": it yields at once. Within the yield surface: K0 >= " << k
              << " or nu >= " << k / (1 + k) << nl << nl;
     }
