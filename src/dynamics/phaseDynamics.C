@@ -337,7 +337,7 @@ phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
 std::size_t phaseDynamics::bytes() const
 {
     return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
-         + elementsAround_.size().lists
+         + elementsAround_.size().neighbours
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
          + cells_.start.capacity() * sizeof(int);
 }

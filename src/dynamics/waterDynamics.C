@@ -26,6 +26,13 @@ constexpr scalar leastOpen = 0.2;
 //- And its density stays above this
 constexpr scalar lowestDensity = 0.01;
 
+scalar sumOver(const realArray& a, int n)
+{
+    return orderedSum<sumOf<scalar>>(
+               n, [&](int i) { return sumOf<scalar>{a[i]}; }
+    ).value;
+}
+
 } // namespace
 
 waterDynamics::waterDynamics(
@@ -331,8 +338,8 @@ lpfPairs::waterForcePass waterDynamics::forcePass()
     p.bx = water.friction[0].data();
     p.by = water.friction[1].data();
     p.bz = water.friction[2].data();
-    p.artificial = water.artificial.data();
-    p.viscous = water.viscous.data();
+    p.artificial = water.artificialPower().data();
+    p.viscous = water.viscousPower().data();
     if (viscosity_.largest() > 0)
     {
         viscosityOfMixture();
@@ -404,15 +411,8 @@ void waterDynamics::accelerations()
     artificialPower_ = viscousPower_ = 0;
     if (pass.alpha > 0 || pass.eta)
     {
-        const int n = water.size();
-        artificialPower_ =
-            orderedSum<sumOf<scalar>>(
-                n, [&](int i) { return sumOf<scalar>{water.artificial[i]}; }
-            ).value;
-        viscousPower_ =
-            orderedSum<sumOf<scalar>>(
-                n, [&](int i) { return sumOf<scalar>{water.viscous[i]}; }
-            ).value;
+        artificialPower_ = sumOver(water.artificialPower(), water.size());
+        viscousPower_ = sumOver(water.viscousPower(), water.size());
     }
     if (viscous_)
     {

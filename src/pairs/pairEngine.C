@@ -34,7 +34,7 @@ enum grainField
 //  what is there, as it is finite
 template<class Around>
 LPF_ONE_BODY void
-kinematicsOfParticle(const kinematicsPass& p, const Around& around, int i)
+kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
 {
     using T = typename Around::T;
     const Vec<T> v_i = own<typename Around::Real>(p.u, p.v, p.w, i);
@@ -67,7 +67,7 @@ void kinematics(const kinematicsPass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { kinematicsOfParticle(p, around, i); }
+        [&](auto& around, int i) { kinematicsOfParticle(p, around, i); }
     );
 }
 
@@ -134,8 +134,7 @@ LPF_INLINE void addViscosity(
 }
 
 template<viscosity kind, class Around>
-LPF_ONE_BODY void
-forceOnParticle(const forcePass& p, const Around& around, int i)
+LPF_ONE_BODY void forceOnParticle(const forcePass& p, Around& around, int i)
 {
     using T = typename Around::T;
     Force<T> total = {};
@@ -195,7 +194,7 @@ void force(const forcePass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { forceOnParticle<kind>(p, around, i); }
+        [&](auto& around, int i) { forceOnParticle<kind>(p, around, i); }
     );
 }
 
@@ -296,7 +295,7 @@ enum elementField
 };
 
 template<wallSums kind, int layers, class Around>
-LPF_ONE_BODY void wallOfParticle(const wallPass& p, const Around& around, int i)
+LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
@@ -340,7 +339,7 @@ void wallInLayers(const wallPass& p)
         p,
         elementsOf(p),
         fields,
-        [&](const auto& around, int i)
+        [&](auto& around, int i)
         {
             if (p.slot[i] >= 0)
             {
@@ -410,6 +409,7 @@ const pairEngine engine = {
     lanesOf<float>,
     newTable,
     deleteTable,
+    borrowMemory,
     searchPairs,
     sizeOfTable,
     kinematics,
