@@ -309,7 +309,7 @@ void grainDynamics::rates(scalar dt, scalar time)
 
     kinematics();
     seeGround(wet_);
-    near_.resize(walls_.size());
+    renew(near_, walls_.size());
     gradient();
     stress(dt);
 

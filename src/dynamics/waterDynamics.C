@@ -81,7 +81,7 @@ void waterDynamics::arrange(scalar time)
     contact_.update(time, lattice_);
     sort();
     seeGround(true);
-    near_.resize(walls_.size());
+    renew(near_, walls_.size());
     if (viscous_)
     {
         viscous_->seeGround(
