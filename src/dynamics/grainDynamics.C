@@ -322,7 +322,7 @@ void grainDynamics::rates(scalar dt, scalar time)
 
     kinematics();
     seeGround(wet_ || scheme_.seesPacking());
-    near_.resize(walls_.size());
+    renew(near_, walls_.size());
     gradient();
     if (scheme_.seesPacking())
     {

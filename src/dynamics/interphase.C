@@ -74,6 +74,11 @@ interphase::interphase(
       h_(0.5 * (grains.scene().h + water.scene().h)), waterAtGrains_(engine),
       grainsAtWater_(engine), grainsAtGrains_(engine)
 {
+    water.borrow(grains);
+    for (auto* t : {&waterAtGrains_, &grainsAtWater_, &grainsAtGrains_})
+    {
+        t->borrow(grains.pairs());
+    }
 }
 
 const lpfPairs::pairTable&

@@ -31,12 +31,12 @@ void gather(Array& field, Array& spare, const indexArray& order, int n)
 
 void particleStore::permute(realArray& field, const indexArray& order)
 {
-    gather(field, spare_, order, size_);
+    gather(field, V, order, size_);
 }
 
 void particleStore::permute(indexArray& field, const indexArray& order)
 {
-    gather(field, spareIndex_, order, size_);
+    gather(field, spare_, order, size_);
 }
 
 void particleStore::resize(int n)
@@ -46,11 +46,11 @@ void particleStore::resize(int n)
     {
         lpf::resize(*group, n);
     }
-    for (auto* f : {&mass, &V, &spare_})
+    for (auto* f : {&mass, &V})
     {
         f->resize(n);
     }
-    for (auto* f : {&id, &zone, &spareIndex_})
+    for (auto* f : {&id, &zone, &spare_})
     {
         f->resize(n);
     }
@@ -59,8 +59,7 @@ void particleStore::resize(int n)
 std::size_t particleStore::bytes() const
 {
     return lpf::bytes(x) + lpf::bytes(U) + lpf::bytes(a) + mass.bytes()
-         + V.bytes() + spare_.bytes() + spareIndex_.bytes() + id.bytes()
-         + zone.bytes();
+         + V.bytes() + spare_.bytes() + id.bytes() + zone.bytes();
 }
 
 void particleStore::permute(const indexArray& order)

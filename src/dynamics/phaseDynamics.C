@@ -70,7 +70,7 @@ void phaseDynamics::seeGround(bool withShare)
         {p.cells, p.elements, p.h, p.x, p.y, p.z, p.ex, p.ey, p.ez}
     );
     nSlots_ = elementsAround_.number(slot_.data());
-    walls_.resize(static_cast<std::size_t>(nSlots_));
+    renew(walls_, static_cast<std::size_t>(nSlots_));
     p.pairs = elementsAround_.get();
     p.single = scene_.single;
     p.slot = slot_.data();
@@ -337,7 +337,7 @@ phaseDynamics::waveLimit(scalar CFL, scalar c, const char* rule) const
 std::size_t phaseDynamics::bytes() const
 {
     return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
-         + elementsAround_.size().lists
+         + elementsAround_.size().neighbours
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
          + cells_.start.capacity() * sizeof(int);
 }

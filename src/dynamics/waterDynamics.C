@@ -31,6 +31,13 @@ vector normalised(const vector& v)
     return v / max(mag(v), VSMALL);
 }
 
+scalar sumOver(const realArray& a, int n)
+{
+    return orderedSum<sumOf<scalar>>(
+               n, [&](int i) { return sumOf<scalar>{a[i]}; }
+    ).value;
+}
+
 } // namespace
 
 waterDynamics::waterDynamics(
@@ -88,7 +95,7 @@ void waterDynamics::arrange(scalar time)
     contact_.update(time, lattice_);
     sort();
     seeGround(true);
-    near_.resize(walls_.size());
+    renew(near_, walls_.size());
     if (viscous_)
     {
         viscous_->seeGround(
@@ -349,8 +356,8 @@ lpfPairs::waterForcePass waterDynamics::forcePass()
     p.bx = water.friction[0].data();
     p.by = water.friction[1].data();
     p.bz = water.friction[2].data();
-    p.artificial = water.artificial.data();
-    p.viscous = water.viscous.data();
+    p.artificial = water.artificialPower().data();
+    p.viscous = water.viscousPower().data();
     if (viscosity_.largest() > 0)
     {
         viscosityOfMixture();
@@ -422,15 +429,8 @@ void waterDynamics::accelerations()
     artificialPower_ = viscousPower_ = 0;
     if (pass.alpha > 0 || pass.eta)
     {
-        const int n = water.size();
-        artificialPower_ =
-            orderedSum<sumOf<scalar>>(
-                n, [&](int i) { return sumOf<scalar>{water.artificial[i]}; }
-            ).value;
-        viscousPower_ =
-            orderedSum<sumOf<scalar>>(
-                n, [&](int i) { return sumOf<scalar>{water.viscous[i]}; }
-            ).value;
+        artificialPower_ = sumOver(water.artificialPower(), water.size());
+        viscousPower_ = sumOver(water.viscousPower(), water.size());
     }
     if (viscous_)
     {

@@ -9,7 +9,7 @@ namespace lpf
 void waterStore::resize(int n)
 {
     particleStore::resize(n);
-    for (auto* f : {&rho, &p, &rate, &curl, &diffusion, &artificial, &viscous})
+    for (auto* f : {&rho, &p, &rate, &curl, &diffusion})
     {
         f->resize(n);
     }
@@ -25,7 +25,7 @@ void waterStore::resize(int n)
 
 std::size_t waterStore::bytes() const
 {
-    return particleStore::bytes() + 7 * rho.bytes() + lpf::bytes(friction)
+    return particleStore::bytes() + 5 * rho.bytes() + lpf::bytes(friction)
          + theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
          + lpf::bytes(drag);
 }

@@ -16,8 +16,7 @@ constexpr int smoothFields(int n)
 }
 
 template<int n, class Around>
-LPF_ONE_BODY void
-smoothAtParticle(const smoothPass& p, const Around& around, int i)
+LPF_ONE_BODY void smoothAtParticle(const smoothPass& p, Around& around, int i)
 {
     using T = typename Around::T;
     T total[n] = {};
@@ -47,7 +46,7 @@ void smoothAll(const smoothPass& p)
         p,
         {p.home, p.others, p.h, p.x, p.y, p.z, p.X, p.Y, p.Z},
         fields,
-        [&](const auto& around, int i) { smoothAtParticle<n>(p, around, i); }
+        [&](auto& around, int i) { smoothAtParticle<n>(p, around, i); }
     );
 }
 

@@ -3,12 +3,12 @@
 
 #include "neighbourSearch.H"
 #include "enginePasses.H"
-#include "cellRuns.H"
 #include "listLoops.H"
 
 #include <omp.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace lpfPairs
 {
@@ -18,66 +18,46 @@ namespace
 //- Rounding of positions relative to a cell, with room to spare
 constexpr double rounding = 1 + 1e-5;
 
-struct box
+//- Middle of the box around the particles [begin, end)
+double middle(const double* x, int begin, int end)
 {
-    double lower[3], upper[3], middle[3];
-};
-
-box boxOf(const double* const x[3], int begin, int end)
-{
-    box b;
-    for (int d = 0; d < 3; ++d)
+    double lower = x[begin], upper = x[begin];
+    for (int i = begin + 1; i < end; ++i)
     {
-        b.lower[d] = b.upper[d] = x[d][begin];
-        for (int i = begin + 1; i < end; ++i)
-        {
-            b.lower[d] = std::min(b.lower[d], x[d][i]);
-            b.upper[d] = std::max(b.upper[d], x[d][i]);
-        }
-        b.middle[d] = 0.5 * (b.lower[d] + b.upper[d]);
+        lower = std::min(lower, x[i]);
+        upper = std::max(upper, x[i]);
     }
-    return b;
+    return 0.5 * (lower + upper);
 }
 
-//- Lists of the particles [begin, end) of a cell
+//- Bits of the particles [begin, end) of a cell
 LPF_ONE_BODY void searchCell(
     const searchPass& p,
     const runs& around,
     int begin,
     int end,
     candidates& near,
-    neighbourTable& table
+    candidateBits* bits
 )
 {
     if (around.count == 0)
     {
-        std::fill(
-            table.of.begin() + begin,
-            table.of.begin() + end,
-            neighbourTable::entry{nullptr, 0}
-        );
         return;
     }
     const double* const x[3] = {p.x, p.y, p.z};
     const double* const X[3] = {p.X, p.Y, p.Z};
     const double reach = 2 * p.h * rounding;
     const auto reachSqr = static_cast<float>(reach * reach);
-    const box b = boxOf(x, begin, end);
-    near.take(around, X, b.middle);
-    near.cut(b.lower, b.upper, reachSqr);
-
-    listArena& arena =
-        table.arenas[static_cast<std::size_t>(omp_get_thread_num())];
-    const auto most = static_cast<std::size_t>(near.size()) + 2 * padding;
+    near.take(
+        around,
+        X,
+        {middle(x[0], begin, end),
+         middle(x[1], begin, end),
+         middle(x[2], begin, end)}
+    );
     for (int i = begin; i < end; ++i)
     {
-        std::int32_t* list = arena.room(most);
-        const int count =
-            near.near({x[0][i], x[1][i], x[2][i]}, reachSqr, list);
-        const int whole = (count + padding - 1) / padding * padding;
-        std::fill(list + count, list + whole, table.others);
-        table.of[static_cast<std::size_t>(i)] = {list, count};
-        arena.take(static_cast<std::size_t>(whole));
+        bits = near.near({x[0][i], x[1][i], x[2][i]}, reachSqr, bits);
     }
 }
 
@@ -86,40 +66,73 @@ int sizeOf(const cellGrid& g)
     return g.start[static_cast<long>(g.n[0]) * g.n[1] * g.n[2]];
 }
 
+//- Those with particles
+void takeStretches(neighbourTable& table)
+{
+    const cellGrid& g = table.home;
+    const int rows = g.n[1] * g.n[2];
+    table.stretches.clear();
+    for (int row = 0; row < rows; ++row)
+    {
+        const int* start = g.start + static_cast<long>(row) * g.n[0];
+        for (int x = 0; x < g.n[0]; x += neighbourTable::stretchCells)
+        {
+            const int end = std::min(x + neighbourTable::stretchCells, g.n[0]);
+            if (start[x] < start[end])
+            {
+                table.stretches.push_back({row, x, 0, {}});
+            }
+        }
+    }
+}
+
+//- Has a particle with so many units of bits any of the others near?
+bool anyOf(const candidateBits* bits, std::size_t units)
+{
+    return std::any_of(
+        bits, bits + units, [](candidateBits b) { return b != 0; }
+    );
+}
+
 } // namespace
 
 void searchPairs(const searchPass& p, neighbourTable* into)
 {
     neighbourTable& table = *into;
-    table.of.resize(static_cast<std::size_t>(sizeOf(p.home)));
-    table.others = sizeOf(p.others);
+    table.home = p.home;
+    table.others = p.others;
+    table.othersSize = sizeOf(p.others);
     table.cyclic = false;
-    for (int d = 0; d < 3; ++d)
+    for (const double period : p.others.period)
     {
-        table.period[d] = p.others.period[d];
-        table.cyclic = table.cyclic || table.period[d] > 0;
+        table.cyclic = table.cyclic || period > 0;
     }
+    takeStretches(table);
     const auto threads = static_cast<std::size_t>(omp_get_max_threads());
     if (table.arenas.size() < threads)
     {
         table.arenas.resize(threads);
     }
-    for (listArena& arena : table.arenas)
-    {
-        arena.clear();
-    }
     std::vector<candidates> near(threads);
-    forCells(
-        p.home,
-        [&](int begin, int end, long x, long y, long z)
+    std::vector<bitArena::place> ends(threads);
+    forStretches(
+        table,
+        [&](neighbourTable::stretch& s, std::size_t)
         {
-            searchCell(
-                p,
-                runsAround(p.others, x, y, z),
-                begin,
-                end,
-                near[static_cast<std::size_t>(omp_get_thread_num())],
-                table
+            const int thread = omp_get_thread_num();
+            const auto t = static_cast<std::size_t>(thread);
+            s.arena = thread;
+            s.bits = ends[t];
+            forCellsOf(
+                s,
+                p.home,
+                [&](int begin, int end, long x, long y, long z)
+                {
+                    const runs around = runsAround(p.others, x, y, z);
+                    const std::size_t size = bitsOfCell(around, end - begin);
+                    candidateBits* bits = table.arenas[t].room(ends[t], size);
+                    searchCell(p, around, begin, end, near[t], bits);
+                }
             );
         }
     );
@@ -135,29 +148,89 @@ void deleteTable(neighbourTable* table)
     delete table;
 }
 
+void borrowMemory(neighbourTable* table, const neighbourTable* lender)
+{
+    table->records = lender->records;
+    table->borrows = true;
+}
+
 tableSize sizeOfTable(const neighbourTable* table)
 {
-    tableSize size = {0, 0, table->records.bytes()};
-    size.lists += table->of.capacity() * sizeof(neighbourTable::entry);
-    for (const listArena& arena : table->arenas)
+    tableSize size = {0, 0, table->borrows ? 0 : table->records->bytes()};
+    size.neighbours +=
+        table->stretches.capacity() * sizeof(neighbourTable::stretch);
+    for (const bitArena& arena : table->arenas)
     {
-        size.lists += arena.bytes();
+        size.neighbours += arena.bytes();
     }
-    for (const neighbourTable::entry& e : table->of)
+    for (const neighbourTable::stretch& s : table->stretches)
     {
-        size.pairs += e.count;
+        forSearched(
+            *table,
+            s,
+            [&](int begin,
+                int end,
+                const runs& around,
+                const candidateBits* bits)
+            {
+                const std::size_t all = bitsOfCell(around, end - begin);
+                for (std::size_t k = 0; k < all; ++k)
+                {
+                    size.pairs += __builtin_popcount(bits[k]);
+                }
+            }
+        );
     }
     return size;
 }
 
+// Whether, then how many in each stretch, then the numbers
 int numberListed(const neighbourTable* table, int* slot)
 {
-    int count = 0;
-    for (const neighbourTable::entry& e : table->of)
-    {
-        *slot++ = e.count > 0 ? count++ : -1;
-    }
-    return count;
+    const auto stretches = table->stretches.size();
+    std::vector<int> numbers(stretches + 1, 0);
+    forStretches(
+        *table,
+        [&](const neighbourTable::stretch& s, std::size_t k)
+        {
+            forSearched(
+                *table,
+                s,
+                [&](int begin,
+                    int end,
+                    const runs& around,
+                    const candidateBits* bits)
+                {
+                    const std::size_t units = bitsOfCell(around, 1);
+                    for (int i = begin; i < end; ++i, bits += units)
+                    {
+                        slot[i] = anyOf(bits, units) ? 0 : -1;
+                        numbers[k + 1] += slot[i] == 0;
+                    }
+                }
+            );
+        }
+    );
+    std::partial_sum(numbers.begin(), numbers.end(), numbers.begin());
+    forStretches(
+        *table,
+        [&](const neighbourTable::stretch& s, std::size_t k)
+        {
+            int number = numbers[k];
+            forCellsOf(
+                s,
+                table->home,
+                [&](int begin, int end, long, long, long)
+                {
+                    for (int i = begin; i < end; ++i)
+                    {
+                        slot[i] += slot[i] == 0 ? number++ : 0;
+                    }
+                }
+            );
+        }
+    );
+    return numbers.back();
 }
 
 } // namespace lpfPairs

@@ -35,7 +35,7 @@ enum grainField
 //  what is there, as it is finite
 template<bool withFill, class Around>
 LPF_ONE_BODY void
-kinematicsOfParticle(const kinematicsPass& p, const Around& around, int i)
+kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
 {
     using T = typename Around::T;
     const Vec<T> v_i = own<typename Around::Real>(p.u, p.v, p.w, i);
@@ -77,7 +77,7 @@ void kinematics(const kinematicsPass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i)
+        [&](auto& around, int i)
         { kinematicsOfParticle<withFill>(p, around, i); }
     );
 }
@@ -150,8 +150,7 @@ LPF_INLINE void addViscosity(
 }
 
 template<viscosity kind, class Around>
-LPF_ONE_BODY void
-forceOnParticle(const forcePass& p, const Around& around, int i)
+LPF_ONE_BODY void forceOnParticle(const forcePass& p, Around& around, int i)
 {
     using T = typename Around::T;
     Force<T> total = {};
@@ -211,7 +210,7 @@ void force(const forcePass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { forceOnParticle<kind>(p, around, i); }
+        [&](auto& around, int i) { forceOnParticle<kind>(p, around, i); }
     );
 }
 
@@ -312,7 +311,7 @@ enum elementField
 };
 
 template<wallSums kind, int layers, class Around>
-LPF_ONE_BODY void wallOfParticle(const wallPass& p, const Around& around, int i)
+LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
@@ -356,7 +355,7 @@ void wallInLayers(const wallPass& p)
         p,
         elementsOf(p),
         fields,
-        [&](const auto& around, int i)
+        [&](auto& around, int i)
         {
             if (p.slot[i] >= 0)
             {
@@ -426,6 +425,7 @@ const pairEngine engine = {
     lanesOf<float>,
     newTable,
     deleteTable,
+    borrowMemory,
     searchPairs,
     sizeOfTable,
     anyKinematics,

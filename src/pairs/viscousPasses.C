@@ -22,8 +22,7 @@ enum viscousField
 };
 
 template<class Around>
-LPF_ONE_BODY void
-viscousForceOn(const viscousPass& p, const Around& around, int i)
+LPF_ONE_BODY void viscousForceOn(const viscousPass& p, Around& around, int i)
 {
     const Vec<T> u_i = own<double>(p.u[0], p.u[1], p.u[2], i);
     const T eta_i(p.eta[i]), weight(p.weight);
@@ -53,8 +52,7 @@ enum elementField
 };
 
 template<int layers, class Around>
-LPF_ONE_BODY void
-stickOfParticle(const stickPass& p, const Around& around, int i)
+LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
 {
     StickSums<T> total = {};
     const stickShape shape = {p.layerDepth, p.nearest};
@@ -94,7 +92,7 @@ void viscousForce(const viscousPass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { viscousForceOn(p, around, i); }
+        [&](auto& around, int i) { viscousForceOn(p, around, i); }
     );
 }
 
@@ -107,7 +105,7 @@ void stickToGround(const stickPass& p)
         p,
         elementsOf(p),
         fields,
-        [&](const auto& around, int i)
+        [&](auto& around, int i)
         {
             if (p.slot[i] >= 0)
             {

@@ -33,7 +33,7 @@ constexpr int ownVelocity = 8;
 
 template<bool withFill, bool withStrain, class Around>
 LPF_ONE_BODY void
-continuityOfParticle(const waterContinuityPass& p, const Around& around, int i)
+continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
@@ -107,7 +107,7 @@ void continuity(const waterContinuityPass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i)
+        [&](auto& around, int i)
         { continuityOfParticle<withFill, withStrain>(p, around, i); }
     );
 }
@@ -193,8 +193,7 @@ LPF_INLINE void addViscous(
 }
 
 template<friction kind, class Around>
-LPF_ONE_BODY void
-forceOnWater(const waterForcePass& p, const Around& around, int i)
+LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
@@ -253,7 +252,7 @@ void force(const waterForcePass& p)
         p,
         searchOf(p),
         fields,
-        [&](const auto& around, int i) { forceOnWater<kind>(p, around, i); }
+        [&](auto& around, int i) { forceOnWater<kind>(p, around, i); }
     );
 }
 

@@ -24,16 +24,27 @@ constexpr scalar speedRatio = 20;
 // Time step over h/c
 constexpr scalar courant = 0.3;
 
-// Memory of a dry particle with its share of neighbour search and ground,
-// as the flume printed
-constexpr scalar bytesPerGrain = 700;
+// Memory of a particle [byte]: arrays, records of the largest pass, a bit for
+// each of some 480 candidates for a neighbour
+// (tests/cases/benchmark/estimate compares with what the solver took)
+constexpr scalar bytesPerGrain = 300 + 128 + 64;
+constexpr scalar bytesPerWater = 204 + 96 + 64;
 
-// The same of water, which has no stress
-constexpr scalar bytesPerWater = 400;
+// More where both are there: porosity, drag, the neighbours of the other kind;
+// the records then are the same memory
+constexpr scalar bytesPerGrainInWater = 48 + 128 + 64;
+constexpr scalar bytesPerWaterInGrains = 80 + 64 + 64 - 96;
 
-// Time of a whole step over that of its kinematics pass, in the middle of a
-// flow (tests/cases/benchmark/estimate measures it)
-constexpr scalar stepOverPass = 8;
+// More near the ground: sums over it, and bits of its elements
+constexpr scalar bytesNearGround = 350;
+
+// A flow spreads to this share of the largest thickness it had
+constexpr scalar spread = 0.1;
+
+// Time of a whole step over that of finding the pairs and the kinematics pass
+// in a bed: far from the ground, as much again near it, and more for both
+// phases (tests/cases/benchmark/estimate measures it)
+constexpr scalar stepInBed = 3, mixtureOverAlone = 1.65;
 
 //- Grains on a lattice, in the order of their cells
 struct probe
@@ -114,9 +125,14 @@ struct probe
 } // namespace
 
 
-scalar memoryOf(const scalar grains, const scalar water)
+scalar
+memoryOf(const scalar grains, const scalar water, const scalar nearGround)
 {
-    return grains * bytesPerGrain + water * bytesPerWater;
+    const scalar alone = grains * bytesPerGrain + water * bytesPerWater
+                       + (grains + water) * nearGround * bytesNearGround;
+    return grains > 0 && water > 0 ? alone + grains * bytesPerGrainInWater
+                                         + water * bytesPerWaterInGrains
+                                   : alone;
 }
 
 
@@ -142,11 +158,18 @@ runEstimate estimateRun(const runSize& size)
         * max(run.maxSpeed / 2, Foam::sqrt(size.g * size.releaseHeight));
     run.timeStep = courant * size.smoothingLength / run.waveSpeed;
     run.steps = size.endTime / run.timeStep;
-    run.memory = memoryOf(size.grains, size.water);
+    const scalar nearGround =
+        min(scalar(1),
+            2 * size.smoothingLength / max(spread * size.releaseHeight, VSMALL)
+        );
+    run.memory = memoryOf(size.grains, size.water, nearGround);
+    run.stepOverPass =
+        stepInBed * (1 + nearGround)
+        * (size.grains > 0 && size.water > 0 ? mixtureOverAlone : 1);
     return run;
 }
 
-solverSpeed measureSolver()
+solverSpeed measureSolver(const scalar stepOverPass)
 {
     using clock = std::chrono::steady_clock;
     constexpr int repeats = 5;

@@ -306,7 +306,7 @@ void scenePreparation::report() const
     {
         Info << "    steps           " << run.steps << " to endTime "
              << endTime_ << " s" << nl << "    wall time       ";
-        const solverSpeed solver = measureSolver();
+        const solverSpeed solver = measureSolver(run.stepOverPass);
         printDuration(
             run.steps * (grains_.size() + water_.size())
             / solver.particleStepsPerSecond

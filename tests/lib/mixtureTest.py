@@ -262,9 +262,9 @@ def levels():
 
 # scene, passes over pairs and over the ground a step, bytes a particle: 144 of
 # each phase, all of them beside the ground, whose sums are a third of it
-# bytes with the lists of neighbours and of the elements of the ground, which
-# are long in a tank where all particles are near walls
-COST = (("grains", 2, 1, 2950), ("water", 2, 1, 2830), ("both", 11, 2, 3190))
+# bytes with the bits of neighbours and of the elements of the ground, which
+# are many in a tank where all particles are near walls
+COST = (("grains", 2, 1, 1080), ("water", 2, 1, 900), ("both", 11, 2, 1190))
 
 
 def alone():

@@ -671,10 +671,10 @@ TEST_CASE("grain dynamics: bytes of a dry grain, passes of a step")
     const auto n = s.x.size() + lpfPairs::padding;
     grainDynamics& d = *s.dynamics;
 
-    // state x U sigma, mass rho rhoRef I; work a V L B; spare; id zone spare
+    // state x U sigma, mass rho rhoRef I; work a V L B; id zone spare
     const std::size_t each =
-        8 * (3 + 3 + 6 + 4 + 3 + 1 + 9 + 6 + 1) + 4 * (1 + 1 + 1);
-    CHECK(each == 300);
+        8 * (3 + 3 + 6 + 4 + 3 + 1 + 9 + 6) + 4 * (1 + 1 + 1);
+    CHECK(each == 292);
     CHECK(d.grains.bytes() == each * n);
 
     for (int k = 1; k <= 3; ++k)
@@ -700,12 +700,18 @@ TEST_CASE("grain dynamics: bytes of a dry grain, passes of a step")
     // no array of a scene that this one is not: order and slot are left, the
     // records of grains near the ground, and the cells
     const std::size_t nearGround =
-        2 * static_cast<std::size_t>(d.nearGround()) * 400;
-    // lists of at most 112 neighbours, 48 elements and their places; records
-    // of both; blocks of memory begun by each thread
-    const std::size_t lists = n * (4 * (112 + 48) + 2 * 16 + 16 * 8 + 64)
-                            + 4u * omp_get_max_threads() * 131072;
-    CHECK(d.bytes() <= (each + 8) * n + lists + nearGround + 100000);
+        2 * static_cast<std::size_t>(d.nearGround()) * 320;
+    // a bit for each of at most 27 particles and 9 elements in the 27 cells
+    // around, in blocks that double, begun by each thread for either
+    const std::size_t bits = 2 * n * 27 * (27 + 9) / 8;
+    const std::size_t begun = 2u * omp_get_max_threads() * 8192;
+    const std::size_t records = 16 * 8;
+    CHECK(
+        d.bytes()
+        <= (each + 8 + records) * n + bits + begun + nearGround + 20000
+    );
+    // 40 million grains in 24 GiB
+    CHECK(each + 8 + records + 27 * 27 / 8 < 24.0 * (1 << 30) / 40e6);
 }
 
 
