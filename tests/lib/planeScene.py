@@ -12,6 +12,8 @@ from lpfCase import Case, averaged, mean, rms  # noqa: F401
 
 G = 9.81
 RHO_P, RHO_F = 2600.0, 1000.0
+# of grains that flow far
+FLOWING = "bulkDamping 0.1; grains { densityRelaxation 1; shifting 1; }"
 
 
 def polygon(name, zone, points):

@@ -4,7 +4,7 @@ The ground is rough because it holds the lowest layer: Coulomb friction of 2,
 which is above the internal friction."""
 import math
 
-from planeScene import G, Scene, mean, rms
+from planeScene import FLOWING, G, Scene, mean, rms
 from verify import Measured, Verification
 
 H, D, XI = 0.4, 0.02, 0.6
@@ -27,7 +27,7 @@ def chute(layers, degrees, speed, grains=None, period=12):
     dx = H / layers
     L = period * dx
     scene = Scene(
-        dx=dx, degrees=degrees, diameter=D, log=500,
+        dx=dx, degrees=degrees, diameter=D, log=500, solution=FLOWING,
         cyclic="x (0 %.17g);" % L,
         # E auto knows the height of one release, here of a layer
         maxSpeed=max(speed(H), 2 * math.sqrt(G * H)),
@@ -44,12 +44,12 @@ def chute(layers, degrees, speed, grains=None, period=12):
 class Bagnold(Verification):
     layers = (10, 20, 30)
     bounds = {"velocity": 0.05, "height": 0.05}
-    findings = dict.fromkeys(("velocity", "height"), (
-        "particles pair and the layer loses its height, while rho, integrated from "
-        "a renormalised trace, stays that of rest (doc/theory.md, 9). At 26 "
-        "degrees and 30 layers the nearest two are 0.5 spacings apart after "
-        "2.5 s, 0.09 after 4.5 s, and 55 % of the height is gone after 14 s; at 28 "
-        "degrees grains fly up as well."))
+    findings = {"velocity": (
+        "the two lowest layers stand still instead of the lowest half of one, since "
+        "the ground holds the second, too, by its share of the normal force "
+        "(doc/theory.md, 9); above them the shear rate is right to 3 %. The error "
+        "falls with the spacing. Without the scheme for flowing grains half of the "
+        "height was gone after 14 s.")}
     axes = ("u/u_s", "z/H")
     degrees = 26
 
