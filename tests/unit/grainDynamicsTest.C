@@ -711,7 +711,7 @@ TEST_CASE("grain dynamics: bytes of a dry grain, passes of a step")
         <= (each + 8 + records) * n + bits + begun + nearGround + 20000
     );
     // 40 million grains in 24 GiB
-    CHECK(each + 8 + records + 27 * 27 / 8 < 24.0 * (1 << 30) / 40e6);
+    CHECK(each + 8 + records + 27.0 * 27 / 8 < 24.0 * (1 << 30) / 40e6);
 }
 
 

@@ -9,6 +9,7 @@
 #include "grainDynamics.H"
 #include "sampleGrains.H"
 #include "sampleGround.H"
+#include "sampleScene.H"
 #include "wendlandC2.H"
 
 using namespace Foam;
@@ -56,7 +57,7 @@ public:
 //- A periodic box of grains under a pressure that shears along x
 struct grainBox
 {
-    sceneProperties scene = {};
+    sceneProperties scene = periodicScene(dx, h, period, vector(0, 0, -9.81));
     autoPtr<ground> bed = groundFarAway();
     groundContact contact;
     sameStress stress;
@@ -71,14 +72,6 @@ struct grainBox
             vector(0, 1, 0)
         )
     {
-        scene.spacing = dx;
-        scene.h = scene.largestH = h;
-        scene.dimensions = 3;
-        scene.planeThickness = 1;
-        scene.g = vector(0, 0, -9.81);
-        scene.cyclic.lower = Zero;
-        scene.cyclic.period = vector::uniform(period);
-        scene.domain = boundBox(vector::uniform(-1e3), vector::uniform(1e3));
         schemeProperties scheme;
         scheme.densityRelaxation = relaxation;
         scheme.shifting = shifting;
@@ -114,11 +107,7 @@ struct grainBox
         const grainStore& g = body->grains;
         for (int j = 0; j < g.size(); ++j)
         {
-            vector d = at(g.x, i) - at(g.x, j);
-            for (direction c = 0; c < 3; ++c)
-            {
-                d[c] -= period * std::round(d[c] / period);
-            }
+            const vector d = nearest(at(g.x, i) - at(g.x, j), period);
             if (magSqr(d) < sqr(2 * h))
             {
                 task(j, d, magSqr(d));
@@ -212,11 +201,7 @@ TEST_CASE("packing of grains: they move to where there is room")
     double worst = 0;
     for (int i = 0; i < g.size(); ++i)
     {
-        vector off = at(g.x, i) - goal[std::size_t(i)];
-        for (direction c = 0; c < 3; ++c)
-        {
-            off[c] -= period * std::round(off[c] / period);
-        }
+        const vector off = nearest(at(g.x, i) - goal[std::size_t(i)], period);
         worst = max(worst, mag(off));
     }
     CHECK(worst < 1e-12 * dx);

@@ -8,6 +8,7 @@
 #include "interphase.H"
 #include "sampleGrains.H"
 #include "sampleGround.H"
+#include "sampleScene.H"
 
 #include <random>
 
@@ -59,33 +60,19 @@ struct box
     randomNumbers random;
     double solid;
 
-    static sceneProperties makeScene()
-    {
-        sceneProperties s = {};
-        s.spacing = dx;
-        s.h = s.largestH = h;
-        s.dimensions = 3;
-        s.planeThickness = 1;
-        s.planeNormal = vector(0, 1, 0);
-        s.g = Zero;
-        s.cyclic.lower = Zero;
-        s.cyclic.period = vector::uniform(period);
-        s.domain = boundBox(vector::uniform(-1e3), vector::uniform(1e3));
-        return s;
-    }
-
     box(double solidFraction,
         double jitter,
         unsigned seed,
         const dragLaw* law = nullptr,
         scalar relaxation = 0)
-        : scene(makeScene()), contact(
-                                  *bed,
-                                  dictOf("zones { floor { friction none; } }"),
-                                  dx,
-                                  0,
-                                  vector(0, 1, 0)
-                              ),
+        : scene(periodicScene(dx, h, period, Zero)),
+          contact(
+              *bed,
+              dictOf("zones { floor { friction none; } }"),
+              dx,
+              0,
+              vector(0, 1, 0)
+          ),
           rheology(elasticity(
               dictOf("nu 0.3; E 1e6;"), {solidFraction * rhoGrain, 1, 1}
           )),

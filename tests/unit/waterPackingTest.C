@@ -7,6 +7,7 @@
 #include "engineLoader.H"
 #include "sampleGrains.H"
 #include "sampleGround.H"
+#include "sampleScene.H"
 #include "waterDynamics.H"
 #include "wendlandC2.H"
 
@@ -23,7 +24,7 @@ constexpr double period = cells * dx;
 //- A periodic box of water under the pressure head [m], at rest
 struct waterBox
 {
-    sceneProperties scene = {};
+    sceneProperties scene = periodicScene(dx, h, period, vector(0, 0, -9.81));
     autoPtr<ground> bed = groundFarAway();
     groundContact contact;
     autoPtr<equationOfState> state;
@@ -43,14 +44,6 @@ struct waterBox
           )),
           viscosity(viscosityModel::New(dictOf("NewtonianCoeffs { mu 0; }")))
     {
-        scene.spacing = dx;
-        scene.h = scene.largestH = h;
-        scene.dimensions = 3;
-        scene.planeThickness = 1;
-        scene.g = vector(0, 0, -9.81);
-        scene.cyclic.lower = Zero;
-        scene.cyclic.period = vector::uniform(period);
-        scene.domain = boundBox(vector::uniform(-1e3), vector::uniform(1e3));
         waterScheme scheme;
         scheme.artificialViscosity = scheme.densityDiffusion = 0;
         scheme.densityRelaxation = 0;
@@ -101,11 +94,7 @@ struct waterBox
             double sum = 0;
             for (int j = 0; j < w.size(); ++j)
             {
-                vector d = at(w.x, i) - at(w.x, j);
-                for (direction c = 0; c < 3; ++c)
-                {
-                    d[c] -= period * std::round(d[c] / period);
-                }
+                const vector d = nearest(at(w.x, i) - at(w.x, j), period);
                 sum += magSqr(d) < sqr(2 * h) ? W.value(magSqr(d)) : 0;
             }
             S.push_back(sum * dx * dx * dx);
