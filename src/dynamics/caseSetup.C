@@ -512,11 +512,11 @@ void caseRun::readGrainScheme(const dictionary& dict)
     k.lower = 0;
     k.upper = 1;
     k.reason = "it draws the density to what the packing of the particles "
-               "says where they shear; above 1 it makes noise; write 0 or 0.1";
+               "says where they shear; above 1 it makes noise; write 0 or 1";
     scheme_.densityRelaxation =
         readNumber(dict, "densityRelaxation", dimless, k, 0);
     k.reason = "it moves particles apart where they are crowded and shear; "
-               "above 1 a step takes them too far; write 0 or 0.3";
+               "above 1 a step takes them too far; write 0 or 1";
     scheme_.shifting = readNumber(dict, "shifting", dimless, k, 0);
 }
 

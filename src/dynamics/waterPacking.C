@@ -66,17 +66,18 @@ scalar waterDynamics::deformation(int i) const
 scalar waterDynamics::shareOfGrains(int i) const
 {
     constexpr scalar few = 0.1;
-    return withGrains_ ? min(scalar(1), (1 / water.theta[i] - 1) / few) : 0;
+    return min(scalar(1), (1 / water.theta[i] - 1) / few);
 }
 
 scalar waterDynamics::drawnBack(int i)
 {
     const packing s = packingAt(i);
-    const scalar b = withGrains_ ? shareOfGrains(i) * inTheDepth(s) : 0;
-    if (withGrains_)
+    if (!withGrains_)
     {
-        byGrains_[i] = deformation(i) * b;
+        return relaxation(i, s);
     }
+    const scalar b = shareOfGrains(i) * inTheDepth(s);
+    byGrains_[i] = deformation(i) * b;
     return (1 - b) * relaxation(i, s);
 }
 
