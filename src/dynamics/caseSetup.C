@@ -617,6 +617,7 @@ void caseRun::makeContact()
         *ground_,
         boundary_,
         min(scene_.spacing, waterScene_.spacing),
+        2 * scene_.largestH + scene_.spacing,
         scene_.dimensions == 2 ? scene_.planeThickness : 0,
         scene_.planeNormal
     ));

@@ -30,10 +30,11 @@ groundContact::groundContact(
     ground& theGround,
     const dictionary& boundaryProperties,
     scalar elementSpacing,
+    scalar reach,
     scalar planeThickness,
     const vector& planeNormal
 )
-    : ground_(theGround), elementSpacing_(elementSpacing),
+    : ground_(theGround), elementSpacing_(elementSpacing), reach_(reach),
       planeThickness_(planeThickness), planeNormal_(planeNormal)
 {
     allowOnly(
@@ -147,6 +148,28 @@ void groundContact::takeElements(const surfaceElements& all)
             stickArea_[q] = zones_[zone].water->sticks() ? area_[q] : 0;
         }
     }
+    takeScreens(ground_.screens(all, elementSpacing_, reach_));
+}
+
+void groundContact::takeScreens(const UList<elementScreen>& screens)
+{
+    nScreens_ = screens.size();
+    if (!nScreens_)
+    {
+        return;
+    }
+    resize(screenNormal_, size_);
+    screenHeight_.resize(size_);
+    for (int q = 0; q < size_; ++q)
+    {
+        set(screenNormal_, q, vector(Zero));
+        screenHeight_[q] = 0;
+    }
+    for (const elementScreen& s : screens)
+    {
+        set(screenNormal_, s.element, s.normal);
+        screenHeight_[s.element] = s.height;
+    }
 }
 
 void groundContact::sort(const cellLattice& lattice)
@@ -166,6 +189,14 @@ void groundContact::sort(const cellLattice& lattice)
     {
         all.push_back(&stickArea_);
     }
+    if (nScreens_)
+    {
+        for (realArray& f : screenNormal_)
+        {
+            all.push_back(&f);
+        }
+        all.push_back(&screenHeight_);
+    }
     for (realArray* f : all)
     {
         for (int q = 0; q < size_; ++q)
@@ -178,7 +209,7 @@ void groundContact::sort(const cellLattice& lattice)
 
 std::size_t groundContact::bytes() const
 {
-    return 8 * area_.bytes() + stickArea_.bytes()
+    return 8 * area_.bytes() + stickArea_.bytes() + 4 * screenHeight_.bytes()
          + cells_.start.size() * sizeof(int);
 }
 
@@ -197,6 +228,15 @@ void groundContact::presentElements(Pass& pass) const
     pass.nx = n_[0].data();
     pass.ny = n_[1].data();
     pass.nz = n_[2].data();
+    pass.screens = {};
+    if (nScreens_)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            pass.screens.n[d] = screenNormal_[d].data();
+        }
+        pass.screens.height = screenHeight_.data();
+    }
 }
 
 void groundContact::present(lpfPairs::wallPass& pass) const

@@ -307,10 +307,11 @@ enum elementField
 {
     normal = 3,
     area = 6,
-    friction = 7
+    friction = 7,
+    screen = 8
 };
 
-template<wallSums kind, int layers, class Around>
+template<wallSums kind, int layers, bool screened, class Around>
 LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
@@ -324,9 +325,14 @@ LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
         {
             const Vec<T> n = vectorOf(of + normal);
             const T d = x_iq & n;
+            T area_q = of[area];
+            if constexpr (screened)
+            {
+                area_q = onlyIf(!isScreened(of + screen, x_iq), area_q);
+            }
             const auto there =
-                of[area] > T(Real(0)) && d > own<Real>(-p.outOfSight);
-            const T A = onlyIf(d > own<Real>(-p.behind), of[area]);
+                area_q > T(Real(0)) && d > own<Real>(-p.outOfSight);
+            const T A = onlyIf(d > own<Real>(-p.behind), area_q);
             const LayerSums<T> s =
                 layerSums<layers>(around.W, rSqr, d, p.layerDepth);
 
@@ -345,11 +351,16 @@ LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
     nearest.store(out);
 }
 
-template<wallSums kind, int layers>
-void wallInLayers(const wallPass& p)
+template<wallSums kind, int layers, bool screened>
+void wallOf(const wallPass& p)
 {
-    recordFields<8> fields = {
+    recordFields<screened ? 12 : 8> fields = {
         {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu}};
+    if constexpr (screened)
+    {
+        std::copy_n(p.screens.n, 3, fields.of + screen);
+        fields.of[screen + 3] = p.screens.height;
+    }
     fields.version = p.version; // most steps find the elements as they were
     overPairs(
         p,
@@ -359,10 +370,17 @@ void wallInLayers(const wallPass& p)
         {
             if (p.slot[i] >= 0)
             {
-                wallOfParticle<kind, layers>(p, around, i);
+                wallOfParticle<kind, layers, screened>(p, around, i);
             }
         }
     );
+}
+
+template<wallSums kind, int layers>
+void wallInLayers(const wallPass& p)
+{
+    p.screens.height ? wallOf<kind, layers, true>(p)
+                     : wallOf<kind, layers, false>(p);
 }
 
 //- Layers that a particle can see over the ground that it may come near to

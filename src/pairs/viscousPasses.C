@@ -4,6 +4,7 @@
 
 #include "enginePasses.H"
 #include "listLoops.H"
+#include "pairTerms.H"
 #include "waterTerms.H"
 
 namespace lpfPairs
@@ -48,10 +49,11 @@ LPF_ONE_BODY void viscousForceOn(const viscousPass& p, Around& around, int i)
 enum elementField
 {
     normal = 3,
-    area = 6
+    area = 6,
+    screen = 8
 };
 
-template<int layers, class Around>
+template<int layers, bool screened, class Around>
 LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
 {
     StickSums<T> total = {};
@@ -61,10 +63,14 @@ LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
         [&](const T* of, const Vec<T>& x_iq, const T& rSqr)
         {
             const Vec<T> n = vectorOf(of + normal);
-            const T A = onlyIf(
+            T A = onlyIf(
                 (x_iq & n) > T(-p.behind) && rSqr < T(around.W.supportSqr()),
                 of[area]
             );
+            if constexpr (screened)
+            {
+                A = onlyIf(!isScreened(of + screen, x_iq), A);
+            }
             addStick<layers>(total, around.W, x_iq, n, A, shape);
         }
     );
@@ -96,11 +102,20 @@ void viscousForce(const viscousPass& p)
     );
 }
 
-void stickToGround(const stickPass& p)
+namespace
+{
+
+template<bool screened>
+void stick(const stickPass& p)
 {
     constexpr int layers = 3;
-    const recordFields<8> fields = {
+    recordFields<screened ? 12 : 8> fields = {
         {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area}};
+    if constexpr (screened)
+    {
+        std::copy_n(p.screens.n, 3, fields.of + screen);
+        fields.of[screen + 3] = p.screens.height;
+    }
     overPairsIn<double>(
         p,
         elementsOf(p),
@@ -109,10 +124,17 @@ void stickToGround(const stickPass& p)
         {
             if (p.slot[i] >= 0)
             {
-                stickOfParticle<layers>(p, around, i);
+                stickOfParticle<layers, screened>(p, around, i);
             }
         }
     );
+}
+
+} // namespace
+
+void stickToGround(const stickPass& p)
+{
+    p.screens.height ? stick<true>(p) : stick<false>(p);
 }
 
 } // namespace lpfPairs

@@ -187,6 +187,7 @@ ground::elements(const scalar spacing, const boundBox& within) const
     forAll (parts_, i)
     {
         parts_[i].elements(spacing, within, all);
+        all.ends.append(all.x.size());
     }
     return all;
 }

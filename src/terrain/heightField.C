@@ -341,6 +341,33 @@ void heightField::elevation(const scalar x, const scalar y, groundHit& hit)
 }
 
 
+void heightField::meet(const point& x, const vector& step, wayHit& hit) const
+{
+    const label mx = grid_.nx - 2, my = grid_.ny - 2;
+    const boundBox way(min(x, x + step), max(x, x + step));
+    if (mx < 0 || my < 0 || !bounds_.overlaps(way))
+    {
+        return;
+    }
+    const vector cell(grid_.dx, grid_.dy, 1);
+    const point corner(grid_.x0, grid_.y0, 0);
+    const vector from = cmptDivide(way.min() - corner, cell);
+    const vector to = cmptDivide(way.max() - corner, cell);
+    for (label j = place(from.y(), my); j <= place(to.y(), my); ++j)
+    {
+        for (label i = place(from.x(), mx); i <= place(to.x(), mx); ++i)
+        {
+            const cellTriangles here = this->cell(i, j);
+            for (label k = 0; k < here.count; ++k)
+            {
+                const corners t = cornersOf(here.vertices[k]);
+                meetTriangle(t, unitNormal(t), x, step, hit);
+            }
+        }
+    }
+}
+
+
 void heightField::elements(
     const scalar spacing, const boundBox& within, surfaceElements& elements
 ) const

@@ -106,6 +106,39 @@ bool verticalMeets(const corners& t, scalar x, scalar y, scalar& z)
 }
 
 
+void meetTriangle(
+    const corners& t,
+    const vector& n,
+    const point& x,
+    const vector& step,
+    wayHit& hit
+)
+{
+    const scalar rise = n & step;
+    const scalar share = ((t[0] - x) & n) / (mag(rise) > 0 ? rise : VSMALL);
+    if (mag(rise) <= 0 || share < 0 || share > 1
+        || share > hit.at * (1 + equallyNear))
+    {
+        return;
+    }
+    const point at = x + share * step;
+    for (label i = 0; i < 3; ++i)
+    {
+        const vector edge = t[(i + 1) % 3] - t[i];
+        if (((edge ^ (at - t[i])) & n) < -equallyNear * magSqr(edge))
+        {
+            return;
+        }
+    }
+    const bool behind = rise > 0;
+    const bool tie = share >= hit.at * (1 - equallyNear);
+    if (!tie || !behind)
+    {
+        hit = {share, behind, n};
+    }
+}
+
+
 scalar distanceSqr(const boundBox& box, const point& x)
 {
     scalar sum = 0;
@@ -225,6 +258,14 @@ void bisect(
     const scalar longest = max(edge[0], max(edge[1], edge[2]));
     // spacing may be an edge divided by a number: a rounding error must not
     // double the elements
+    label i = -1;
+    for (label e = 0; e < 3; ++e)
+    {
+        if (edge[e] >= longest * (1 - 1e-9) && (i < 0 || age[e] < age[i]))
+        {
+            i = e;
+        }
+    }
     if (longest <= request.spacingSqr * (1 + 1e-9))
     {
         const point x = (t[0] + t[1] + t[2]) / 3;
@@ -233,16 +274,9 @@ void bisect(
             elements.x.append(x);
             elements.nA.append(nA);
             elements.zone.append(request.zone);
+            elements.along.append((t[(i + 1) % 3] - t[i]) / std::sqrt(longest));
         }
         return;
-    }
-    label i = -1;
-    for (label e = 0; e < 3; ++e)
-    {
-        if (edge[e] >= longest * (1 - 1e-9) && (i < 0 || age[e] < age[i]))
-        {
-            i = e;
-        }
     }
     const label j = (i + 1) % 3, k = (i + 2) % 3;
     const label cut = max(age[0], max(age[1], age[2])) + 1;

@@ -354,6 +354,18 @@ void triangles::elevation(const scalar x, const scalar y, groundHit& hit) const
 }
 
 
+void triangles::meet(const point& x, const vector& step, wayHit& hit) const
+{
+    const scalar radiusSqr = 0.25 * magSqr(step) * (1 + 1e-9);
+    search(
+        x + 0.5 * step,
+        [&] { return radiusSqr; },
+        [&](const label i)
+        { meetTriangle(triangles_[i], normal_[i], x, step, hit); }
+    );
+}
+
+
 void triangles::elements(
     const scalar spacing, const boundBox& within, surfaceElements& elements
 ) const

@@ -201,6 +201,7 @@ struct testScene
             *bed,
             dictOf("zones { floor { friction none; } }"),
             dx,
+            4 * dx,
             scene.dimensions == 2 ? scene.planeThickness : 0,
             scene.planeNormal
         ));

@@ -68,6 +68,7 @@ struct grainBox
             *bed,
             dictOf("zones { floor { friction none; } }"),
             dx,
+            4 * dx,
             0,
             vector(0, 1, 0)
         )

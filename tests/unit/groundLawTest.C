@@ -161,6 +161,7 @@ public:
                   + zone + " } }"
               ),
               dx,
+              4 * dx,
               0,
               vector(0, 1, 0)
           ),
@@ -222,6 +223,7 @@ public:
               *bed_,
               dictOf("zones { left { " + left + " } right { " + right + " } }"),
               dx,
+              4 * dx,
               0,
               vector(0, 1, 0)
           ),
@@ -485,6 +487,7 @@ TEST_CASE("ground laws: scenes without them have nothing of them")
         dictOf("zones { left { friction Coulomb; mu 1; waterFriction noSlip; } "
                "right { friction none; } }"),
         dx,
+        4 * dx,
         0,
         vector(0, 1, 0)
     );

@@ -70,6 +70,7 @@ struct box
               *bed,
               dictOf("zones { floor { friction none; } }"),
               dx,
+              4 * dx,
               0,
               vector(0, 1, 0)
           ),

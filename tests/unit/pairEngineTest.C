@@ -75,6 +75,9 @@ struct cloud
     realArray area, mu;
     sortedCells elements;
     indexArray slot;
+    realArrays<3> sheet;
+    realArray sheetHeight;
+    bool screened = false; //!< every other element by a sheet
 
     cloud(unsigned seed, int dims, bool cyclic) : dimensions(dims)
     {
@@ -206,6 +209,19 @@ struct cloud
             arrange(*f, order, nElements);
         }
         slot.resize(n);
+        makeSheets(random);
+    }
+
+    void makeSheets(randomNumbers& random)
+    {
+        lpf::resize(sheet, nElements);
+        sheetHeight.resize(nElements);
+        for (int q = 0; q < nElements; q += 2)
+        {
+            const vector normal = random.inCube(1);
+            set(sheet, q, normal / mag(normal));
+            sheetHeight[q] = random(-2 * dx, 0);
+        }
     }
 
     //- term(j, x_ij) for all images within the support
@@ -456,6 +472,14 @@ lpfPairs::wallPass wallPassOf(cloud& c)
     p.area = c.area.data();
     p.mu = c.mu.data();
     p.slot = c.slot.data();
+    if (c.screened)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            p.screens.n[d] = c.sheet[d].data();
+        }
+        p.screens.height = c.sheetHeight.data();
+    }
     return p;
 }
 
@@ -511,6 +535,10 @@ results wallsByElements(cloud& c)
         {
             const vector x = at(c.x, i) - at(c.ex, q), n = at(c.en, q);
             const double rSqr = magSqr(x), d = x & n;
+            if (c.screened && (x & at(c.sheet, q)) > -c.sheetHeight[q])
+            {
+                continue;
+            }
             if (rSqr < nearest && d > -p.outOfSight)
             {
                 nearest = rSqr;
@@ -863,9 +891,11 @@ TEST_CASE("pair engines: force of every instruction set")
 TEST_CASE("pair engines: ground of every instruction set")
 {
     const auto all = engines();
+    const bool screened = GENERATE(false, true);
     forScenes(
         [&](cloud& c)
         {
+            c.screened = screened;
             const results expected = wallsByElements(c);
             for (const pairEngine* engine : all)
             {

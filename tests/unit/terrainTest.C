@@ -364,6 +364,135 @@ TEST_CASE("elements add up to the area to the last bit", "[terrain]")
     }
 }
 
+namespace
+{
+
+//- A floor that rises to the right from z = 0, from x = -before to 1
+void addSlope(DynamicList<corners>& list, const scalar before)
+{
+    const auto at = [](const scalar x, const scalar y)
+    { return point(x, y, 0.4 * x); };
+    addQuad(list, at(-before, 0), at(1, 0), at(1, 1), at(-before, 1));
+}
+
+//- A wall at y = 0 that looks towards +y, from z = low
+void addFrontWall(DynamicList<corners>& list, const scalar low)
+{
+    addQuad(
+        list, point(0, 0, low), point(0, 0, 1), point(1, 0, 1), point(1, 0, low)
+    );
+}
+
+constexpr scalar fine = 0.05, reach = 0.2;
+
+label screensOf(const DynamicList<corners>& list)
+{
+    const ground all = groundOf(list);
+    return all.screens(all.elements(fine), fine, reach).size();
+}
+
+} // namespace
+
+TEST_CASE("what goes on behind a sheet is screened off by it", "[terrain]")
+{
+    DynamicList<corners> list;
+    addSlope(list, 0);
+    addFrontWall(list, -0.3);
+    const ground all = groundOf(list);
+    const surfaceElements e = all.elements(fine);
+    const auto screens = all.screens(e, fine, reach);
+    const vector n = vector(-0.4, 0, 1) / std::sqrt(1.16);
+
+    std::vector<bool> screened(static_cast<std::size_t>(e.x.size()));
+    for (const elementScreen& s : screens)
+    {
+        const scalar height = e.x[s.element] & n;
+        screened[static_cast<std::size_t>(s.element)] = true;
+        CHECK(height < -1e-12);
+        CHECK(s.height == Approx(height).epsilon(1e-12));
+        CHECK(mag(s.normal - n) < 1e-12);
+    }
+    label below = 0;
+    forAll (e.x, q)
+    {
+        const scalar height = e.x[q] & n;
+        if (height < -1e-12 && height > -0.7 * reach)
+        {
+            ++below;
+            CHECK(screened[static_cast<std::size_t>(q)]);
+        }
+    }
+    CHECK(below > 100);
+}
+
+TEST_CASE("a raster and a wall through it screen each other", "[terrain]")
+{
+    DynamicList<corners> wall;
+    addFrontWall(wall, -0.3);
+    PtrList<groundPart> parts(2);
+    scalarField z(11 * 21);
+    forAll (z, v)
+    {
+        z[v] = 0.04 * (v % 11);
+    }
+    parts.set(0, new heightField({11, 21, 0, -1, 0.1, 0.1}, std::move(z), 0));
+    parts.set(1, new triangles(wall, labelList(wall.size(), Zero)));
+    const ground all(std::move(parts), {"bed"}, point::zero, "");
+    const surfaceElements e = all.elements(fine);
+    label ofRaster = 0, ofWall = 0;
+    for (const elementScreen& s : all.screens(e, fine, reach))
+    {
+        const point& x = e.x[s.element];
+        const bool raster = s.element < e.ends[0];
+        CHECK((raster ? x.y() < 0 : x.z() < 0.4 * x.x()));
+        ++(raster ? ofRaster : ofWall);
+    }
+    CHECK(ofRaster > 100);
+    CHECK(ofWall > 100);
+}
+
+TEST_CASE("sheets that join screen nothing off", "[terrain]")
+{
+    SECTION("a wall that stands on a floor")
+    {
+        DynamicList<corners> list;
+        addSlope(list, 0);
+        addQuad(
+            list,
+            point(0, 0, 0),
+            point(0, 0, 1),
+            point(1, 0, 1),
+            point(1, 0, 0.4)
+        );
+        CHECK(screensOf(list) == 0);
+    }
+    SECTION("ridge and valley, blunt and sharp")
+    {
+        for (const scalar freeAngle : {30., 90., 170., 190., 270., 340.})
+        {
+            const scalar half = 0.5 * freeAngle * pi / 180;
+            const vector down(std::sin(half), 0, std::cos(half));
+            const vector left(-down.x(), 0, down.z()), y(0, 1, 0);
+            DynamicList<corners> list;
+            addQuad(list, -y, down - y, down + y, y);
+            addQuad(list, left - y, -y, y, left + y);
+            CHECK(screensOf(list) == 0);
+        }
+    }
+    SECTION("a plate with two faces, one on the other")
+    {
+        DynamicList<corners> list;
+        const point a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
+        addQuad(list, a, b, c, d);
+        addQuad(list, a, d, c, b);
+        // and another through it
+        const vector e(-1, 0.5, -1), f(2, 0.5, -1), up(0, 0, 2);
+        addQuad(list, e, f, f + up, e + up);
+        addQuad(list, e, e + up, f + up, f);
+        CHECK(screensOf(list) == 0);
+    }
+}
+
 TEST_CASE("boxes side by side share the elements", "[terrain]")
 {
     const heightGrid grid{9, 9, 0, 0, 1, 1};

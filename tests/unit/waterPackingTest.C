@@ -36,6 +36,7 @@ struct waterBox
             *bed,
             dictOf("zones { floor { friction none; } }"),
             dx,
+            4 * dx,
             0,
             vector(0, 1, 0)
         ),

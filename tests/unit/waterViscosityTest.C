@@ -115,6 +115,7 @@ public:
                                          *bed,
                                          dictOf("zones { " + s.zone + " }"),
                                          s.dx,
+                                         4 * s.dx,
                                          s.dimensions == 2 ? 1 : 0,
                                          vector(0, 1, 0)
                                      ),
