@@ -42,6 +42,7 @@ public:
         return {};
     }
     double storedEnergy(const grainPoint&) const override { return 0; }
+    double yieldStress(double) const override { return 0; }
 };
 
 //- A periodic box of grains and water
