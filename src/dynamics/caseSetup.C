@@ -730,6 +730,28 @@ void caseRun::checkStick() const
     }
 }
 
+namespace
+{
+
+dragOperator readDragOperator(const dictionary& dict)
+{
+    const word name = readChoice(
+        dict, "dragOperator", {"adjoint", "interpolated"}, "adjoint"
+    );
+    if (name == "adjoint")
+    {
+        return dragOperator::adjoint;
+    }
+    Info
+        << "dragOperator interpolated: the drag of the paper. What grains take "
+        << "and what water gives add up to zero in uniform flow only, and "
+        << "kinetic energy may rise: look at momentum unexplained and at drag "
+        << "in the ledger. adjoint is exact in both" << nl << endl;
+    return dragOperator::interpolated;
+}
+
+} // namespace
+
 void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
 {
     const dictionary dict(
@@ -738,7 +760,7 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
     allowOnly(
         dict, {"drag", "dragOperator", "pressureCoupling", "skeletonModulus"}
     );
-    readChoice(dict, "dragOperator", {"adjoint"}, "adjoint");
+    const dragOperator howDragActs = readDragOperator(dict);
     // difference is the word of older cases
     if (readChoice(
             dict, "pressureCoupling", {"adjoint", "difference"}, "adjoint"
@@ -769,7 +791,13 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
         );
     }
     flow_.coupling.reset(new interphase(
-        engine, *flow_.grains, *flow_.water, *flow_.law, grainDensity_, diameter
+        engine,
+        *flow_.grains,
+        *flow_.water,
+        *flow_.law,
+        grainDensity_,
+        diameter,
+        howDragActs
     ));
     flow_.CFL = scheme_.CFL;
     checkStiffness(dict);

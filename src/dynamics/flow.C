@@ -226,7 +226,7 @@ int flow::pairPasses() const
 {
     return (grains ? grainDynamics::pairPasses : 0)
          + (water ? water->pairPasses() : 0)
-         + (coupling ? interphase::pairPasses : 0);
+         + (coupling ? coupling->pairPasses() : 0);
 }
 
 scalar flow::pairsOfParticle() const
