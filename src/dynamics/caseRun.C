@@ -90,15 +90,12 @@ void caseRun::takeStep()
     const bool report = control_.index % logInterval_ == 0;
     const scalar dtBefore = control_.deltaT;
 
-    flow_.rates(dtBefore, control_.time);
+    integration_->begin(flow_, dtBefore, control_.time);
     if (report || !stepped_)
     {
         mostBytes_ = max(mostBytes_, flow_.bytes());
     }
     stepped_ = true;
-    flow_.kick(0.5 * dtBefore);
-
-    // synchronous time: velocities, positions and stress belong together
     if (first)
     {
         for (phaseDynamics* phase : flow_.phases())
@@ -130,9 +127,7 @@ void caseRun::takeStep()
         bookBalance();
     }
 
-    flow_.kick(0.5 * dt);
-    flow_.relax(0.5 * (dtBefore + dt));
-    flow_.drift(dt, control_.time);
+    integration_->finish(flow_, dtBefore, dt, control_.time);
     control_.advance();
 
     if (flow_.size() == 0)
@@ -554,10 +549,12 @@ int caseRun::finish()
     }
     printLedger();
     printArtificialShare();
+    const int evaluations = integration_->evaluations();
+    const int groundPasses = evaluations * flow_.groundPasses();
     Info << "Memory " << scalar(mostBytes_) / 1048576 << " MiB, "
          << scalar(mostBytes_) / max(startSize_, 1) << " bytes a particle; "
-         << flow_.pairPasses() << " pair passes and " << flow_.groundPasses()
-         << " ground pass" << (flow_.groundPasses() > 1 ? "es" : "")
+         << evaluations * flow_.pairPasses() << " pair passes and "
+         << groundPasses << " ground pass" << (groundPasses > 1 ? "es" : "")
          << " a step" << nl;
     printTimes();
 

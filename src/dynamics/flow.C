@@ -34,11 +34,11 @@ wordList flow::names() const
     return all;
 }
 
-void flow::rates(scalar dt, scalar time)
+void flow::rates(scalar dt, scalar time, stage where)
 {
     if (grains)
     {
-        grains->rates(dt, time);
+        grains->rates(dt, time, where);
     }
     if (!water)
     {
@@ -46,13 +46,13 @@ void flow::rates(scalar dt, scalar time)
     }
     if (!coupling)
     {
-        water->rates(dt, time);
+        water->rates(dt, time, where);
         return;
     }
     water->arrange(time);
     coupling->porosity();
     water->divergence();
-    water->correct(dt);
+    water->correct(dt, where);
     water->accelerations();
     coupling->forces();
 }
@@ -224,9 +224,8 @@ std::size_t flow::bytes() const
 
 int flow::pairPasses() const
 {
-    return (grains ? grainDynamics::pairPasses : 0)
-         + (water ? water->pairPasses() : 0)
-         + (coupling ? interphase::pairPasses : 0);
+    return (grains ? grains->passes() : 0) + (water ? water->pairPasses() : 0)
+         + (coupling ? coupling->pairPasses() : 0);
 }
 
 scalar flow::pairsOfParticle() const

@@ -3,6 +3,7 @@
 
 #include "coulomb.H"
 #include "fieldTensors.H"
+#include "frictionalRheology.H"
 #include "latticeSums.H"
 #include "momentInverse.H"
 #include "pairTerms.H"
@@ -258,7 +259,7 @@ double trace(const Tens& a)
 
 // The adjoint of (T 4.3), whose L is that of gradient() less what the grains
 // alone have there: the stress does no work in that,
-//     idle = V sigma:(L - L(T 4.3))                                   (T 3.40)
+//     idle = V sigma:(L - L(T 4.3))                                   (T 3.43)
 void grainDynamics::stressMoment()
 {
     const passTimes::timed pass(times, "stress moment");
@@ -366,7 +367,7 @@ void grainDynamics::addGroundAndGravity()
     );
 }
 
-void grainDynamics::rates(scalar dt, scalar time)
+void grainDynamics::rates(scalar dt, scalar time, stage where)
 {
     contact_.update(time, lattice_);
     sort();
@@ -376,11 +377,7 @@ void grainDynamics::rates(scalar dt, scalar time)
     seeGround(wet_ || scheme_.seesPacking());
     renew(near_, walls_.size());
     gradient();
-    if (scheme_.seesPacking())
-    {
-        followPacking(dt);
-    }
-    stress(dt);
+    advanceStress(dt, where);
     if (resistance_)
     {
         resistOfGround();
@@ -392,6 +389,132 @@ void grainDynamics::rates(scalar dt, scalar time)
     }
     stressMoment();
     forces();
+}
+
+bool grainDynamics::smoothsState() const
+{
+    return scheme_.seesPacking() || scheme_.stressDiffusion > 0;
+}
+
+//- What changes density and stress besides the flow
+void grainDynamics::smoothState(scalar dt)
+{
+    if (scheme_.seesPacking())
+    {
+        followPacking(dt);
+    }
+    if (scheme_.stressDiffusion > 0)
+    {
+        diffuseStress(dt);
+    }
+}
+
+// In the middle of a step stress and density go on twice from the start, over
+// dt, which is booked, and over half of it, for the forces; both by the L of
+// the middle. keepState() has both at the start
+void grainDynamics::advanceStress(scalar dt, stage where)
+{
+    if (where == stage::start)
+    {
+        keepDensityRate();
+    }
+    if (where != stage::middle)
+    {
+        smoothState(dt);
+        stress(dt);
+        return;
+    }
+    std::swap(grains.rho, grains.rhoStart);
+    grains.rhoStart = grains.rho;
+    smoothState(dt);
+    if (smoothsState())
+    {
+        const auto halfway = [](realArray& start, const realArray& end, int i)
+        { start[i] = 0.5 * (start[i] + end[i]); };
+        lpfPairs::forEach(
+            grains.size(),
+            [&](int i)
+            {
+                halfway(grains.rhoStart, grains.rho, i);
+                for (std::size_t c = 0; c < 6; ++c)
+                {
+                    halfway(grains.sigmaStart[c], grains.sigma[c], i);
+                }
+            }
+        );
+    }
+    rheology_.correct(
+        arraysOf(grains.sigmaStart, grains.rhoStart, grains.rhoRefStart),
+        0.5 * dt
+    );
+    turnStrainRate(0.5 * dt);
+    stress(dt);
+    turnStrainRate(-0.5 * dt);
+    swapState();
+    grains.rho.pad(grains.size(), 1);
+}
+
+// L <- skew L + Q (symm L) Q^T, Q the rotation of (T 3.6) over dt: what is
+// strained in a step turns with the grains for half of it, on average, which
+// (T 3.6) alone has at first order only                              (T 7.3)
+void grainDynamics::turnStrainRate(scalar dt)
+{
+    lpfPairs::forEach(
+        grains.size(),
+        [&](int i)
+        {
+            const Tens L = tensorAt(grains.L, i);
+            const Symm D = symm(L);
+            setTensor(
+                grains.L,
+                i,
+                L + full(granularRheologies::rotated(D, L, dt)) - full(D)
+            ); // (T 7.3)
+        }
+    );
+}
+
+// rhoStart is free until keepState()
+void grainDynamics::keepDensityRate()
+{
+    lpfPairs::forEach(
+        grains.size(),
+        [&](int i) {
+            grains.rhoStart[i] =
+                grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
+        }
+    );
+}
+
+// The density of the middle gives the volumes there
+void grainDynamics::keepState(scalar dt)
+{
+    phaseDynamics::keepState(dt);
+    grains.sigmaStart = grains.sigma;
+    grains.rhoRefStart = grains.rhoRef;
+    lpfPairs::forEach(
+        grains.size(),
+        [&](int i)
+        {
+            const scalar quarter = 0.25 * dt * grains.rhoStart[i];
+            const scalar rho = grains.rho[i];
+            grains.rhoStart[i] = rho;
+            grains.rho[i] = rho * (1 - quarter) / (1 + quarter);
+        }
+    );
+}
+
+void grainDynamics::swapState()
+{
+    std::swap(grains.sigma, grains.sigmaStart);
+    std::swap(grains.rho, grains.rhoStart);
+    std::swap(grains.rhoRef, grains.rhoRefStart);
+}
+
+void grainDynamics::driftOn(scalar dt, scalar time)
+{
+    swapState();
+    phaseDynamics::driftOn(dt, time);
 }
 
 void grainDynamics::kinematics()
@@ -421,9 +544,9 @@ void grainDynamics::kinematics()
     engine_.kinematics(k);
 }
 
-void grainDynamics::stress(scalar dt)
+grainArrays
+grainDynamics::arraysOf(realArrays<6>& sigma, realArray& rho, realArray& rhoRef)
 {
-    const passTimes::timed pass(times, "stress");
     grainArrays arrays = {};
     arrays.n = grains.size();
     for (std::size_t c = 0; c < 9; ++c)
@@ -432,13 +555,21 @@ void grainDynamics::stress(scalar dt)
     }
     for (std::size_t c = 0; c < 6; ++c)
     {
-        arrays.sigma[c] = grains.sigma[c].data();
+        arrays.sigma[c] = sigma[c].data();
     }
-    arrays.rho = grains.rho.data();
-    arrays.rhoRef = grains.rhoRef.data();
+    arrays.rho = rho.data();
+    arrays.rhoRef = rhoRef.data();
     arrays.mass = grains.mass.data();
     arrays.inertialNumber = grains.I.data();
-    rates_ = rheology_.correct(arrays, dt);
+    return arrays;
+}
+
+void grainDynamics::stress(scalar dt)
+{
+    const passTimes::timed pass(times, "stress");
+    rates_ = rheology_.correct(
+        arraysOf(grains.sigma, grains.rho, grains.rhoRef), dt
+    );
     ledger.plastic += rates_.plastic;
     ledger.separation += rates_.separation;
 }
@@ -624,7 +755,8 @@ std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
-         + lpf::bytes(gradFill_) + (resistance_ ? resistance_->bytes() : 0);
+         + lpf::bytes(gradFill_) + lpf::bytes(gradSigma_) + lpf::bytes(jumps_)
+         + takesPart_.bytes() + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -25,11 +25,7 @@ scalar shearRate(const Tens& L)
 {
     const Symm D = symm(L);
     const double mean = (D.xx + D.yy + D.zz) / 3;
-    const double xx = D.xx - mean, yy = D.yy - mean, zz = D.zz - mean;
-    return std::sqrt(
-        2
-        * (xx * xx + yy * yy + zz * zz
-           + 2 * (D.xy * D.xy + D.xz * D.xz + D.yz * D.yz))
+    return rateOfShear({D.xx - mean, D.xy, D.xz, D.yy - mean, D.yz, D.zz - mean}
     );
 }
 
@@ -84,22 +80,22 @@ void grainDynamics::followPacking(scalar dt)
 }
 
 // x <- x + dt v_s; what that does to the energy is booked
-void grainDynamics::drift(scalar dt, scalar time)
+void grainDynamics::shift(scalar dt)
 {
-    if (scheme_.shifting > 0)
+    if (!(scheme_.shifting > 0))
     {
-        ledger.shifting +=
-            orderedSum<sumOf<scalar>>(
-                grains.size(),
-                [&](int i)
-                {
-                    const vector d = dt * at(gradFill_, i);
-                    set(grains.x, i, at(grains.x, i) + d);
-                    return sumOf<scalar>{grains.mass[i] * (scene_.g & d)};
-                }
-            ).value;
+        return;
     }
-    phaseDynamics::drift(dt, time);
+    ledger.shifting +=
+        orderedSum<sumOf<scalar>>(
+            grains.size(),
+            [&](int i)
+            {
+                const vector d = dt * at(gradFill_, i);
+                set(grains.x, i, at(grains.x, i) + d);
+                return sumOf<scalar>{grains.mass[i] * (scene_.g & d)};
+            }
+        ).value;
 }
 
 } // namespace lpf

@@ -21,13 +21,20 @@ void grainStore::resize(int n)
         lpf::resize(drag, n);
         lpf::resize(gradPForce, n);
     }
+    if (keepsStart_)
+    {
+        lpf::resize(sigmaStart, n);
+        rhoStart.resize(n);
+        rhoRefStart.resize(n);
+    }
 }
 
 std::size_t grainStore::bytes() const
 {
     return particleStore::bytes() + lpf::bytes(sigma) + lpf::bytes(L)
          + lpf::bytes(B) + rho.bytes() + rhoRef.bytes() + I.bytes()
-         + lpf::bytes(drag) + lpf::bytes(gradPForce);
+         + lpf::bytes(drag) + lpf::bytes(gradPForce) + lpf::bytes(sigmaStart)
+         + rhoStart.bytes() + rhoRefStart.bytes();
 }
 
 void grainStore::permute(const indexArray& order)
@@ -41,6 +48,12 @@ void grainStore::permute(const indexArray& order)
     {
         permute(drag, order);
         permute(gradPForce, order);
+    }
+    if (keepsStart_)
+    {
+        permute(sigmaStart, order);
+        permute(rhoStart, order);
+        permute(rhoRefStart, order);
     }
 }
 

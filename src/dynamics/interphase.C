@@ -31,15 +31,6 @@ constexpr scalar immersed = 0.5;
 //- Bulk volume of grains over the place they are in, from which they overlap
 constexpr scalar crowded = 1.1;
 
-//- Less water around than this share of the kernel is none
-constexpr scalar dryShare = 1e-6;
-
-//- Share of the kernel that is not ground, as a divisor
-scalar openShare(scalar groundShare)
-{
-    return max(0.3, 1 - groundShare);
-}
-
 //- Share of a place that a phase fills, from the sum of its volumes over the
 //  open share of the kernel: a bed is full also where the sum of a lattice
 //  beside the ground falls short of the integral
@@ -67,10 +58,11 @@ interphase::interphase(
     waterDynamics& water,
     const dragLaw& law,
     scalar grainDensity,
-    scalar diameter
+    scalar diameter,
+    dragOperator howDragActs
 )
     : engine_(engine), grains_(grains), water_(water), law_(law),
-      grainDensity_(grainDensity), diameter_(diameter),
+      grainDensity_(grainDensity), diameter_(diameter), operator_(howDragActs),
       h_(0.5 * (grains.scene().h + water.scene().h)), waterAtGrains_(engine),
       grainsAtWater_(engine), grainsAtGrains_(engine)
 {
@@ -108,7 +100,7 @@ void interphase::search()
     };
     find(grains_, water_, waterAtGrains_);
     find(water_, grains_, grainsAtWater_);
-    if (h_ != grains_.scene().h)
+    if (h_ != grains_.scene().h && operator_ == dragOperator::adjoint)
     {
         find(grains_, grains_, grainsAtGrains_);
     }
@@ -271,8 +263,14 @@ void interphase::forces()
     );
 }
 
-// m, m v and m a of the particles of one phase, smoothed at the grains
-void interphase::gather(const phaseDynamics& from, realArrays<7>& at)
+// m, m v and m a of the particles of one phase, smoothed at those of another
+// or its own
+void interphase::gather(
+    const phaseDynamics& from,
+    const phaseDynamics& home,
+    realArrays<7>& at,
+    oneMore more
+)
 {
     const particleStore& particles = from.particles();
     const int n = particles.size();
@@ -296,11 +294,17 @@ void interphase::gather(const phaseDynamics& from, realArrays<7>& at)
     );
     padZero(carried_, n);
 
-    lpfPairs::smoothPass p = {crossed(grains_, from), 7, {}, {}};
+    lpfPairs::smoothPass p = {crossed(home, from), more.q ? 8 : 7, {}, {}};
     for (std::size_t c = 0; c < 7; ++c)
     {
         p.q[c] = carried_[c].data();
         p.out[c] = at[c].data();
+    }
+    if (more.q)
+    {
+        more.q->pad(n, 0);
+        p.q[7] = more.q->data();
+        p.out[7] = more.out->data();
     }
     engine_.smooth(p);
 }
@@ -364,29 +368,48 @@ vector interphase::dragImpulse(int k, scalar dt) const
         - vector(fromGrains_[4][k], fromGrains_[5][k], fromGrains_[6][k]) / rb;
 
     const scalar open = openShare(grains_.groundShare(k));
-    dragPoint at;
     const scalar bulk = grains_.grains.rho[k];
-    at.solid = min(densest, bulk / grainDensity_ * filled(rb / (open * bulk)));
+    const dragPlace place =
+        placeOf(bulk / grainDensity_ * filled(rb / (open * bulk)), rf, open);
+    const vector change = relaxed(place.at, place.densities, slip, da, dt);
+    return (-grains_.grains.mass[k] * rf / (rf + rb)) * change; // (T 6.8)
+}
+
+// solid: share of grains; rf: sum of m W of the water, in the open share of the
+// kernel
+interphase::dragPlace
+interphase::placeOf(scalar solid, scalar rf, scalar open) const
+{
+    dragPlace place;
+    dragPoint& at = place.at;
+    at.solid = min(densest, solid);
     at.fluid = max(leastPorosity, 1 - at.solid);
     at.density = water_.state().rho0();
     at.mu = water_.viscosity().molecular();
     at.diameter = diameter_;
     // where the pores are not full, drag acts in their wet share S only
     const scalar S = filled(rf / (open * at.fluid * at.density));
-    const scalar rbFull = at.solid * grainDensity_;
-    const scalar rfFull = S * at.fluid * at.density;
-    const scalar densities = rfFull * rbFull / ((rfFull + rbFull) * S);
-
-    const vector change = relaxed(at, densities, slip, da, dt);
-    return (-grains_.grains.mass[k] * rf / (rf + rb)) * change; // (T 6.8)
+    place.rb = at.solid * grainDensity_;
+    place.rf = S * at.fluid * at.density;
+    place.densities = place.rf * place.rb / ((place.rf + place.rb) * S);
+    return place;
 }
 
 void interphase::drag(scalar dt)
 {
     const passTimes::timed pass(times, "drag");
+    operator_ == dragOperator::adjoint ? adjointDrag(dt) : interpolatedDrag(dt);
+    if (water_.asksGrains())
+    {
+        relaxWater(dt);
+    }
+}
+
+void interphase::adjointDrag(scalar dt)
+{
     const int n = grains_.grains.size();
-    gather(water_, fromWater_);
-    gather(grains_, fromGrains_);
+    gather(water_, grains_, fromWater_);
+    gather(grains_, grains_, fromGrains_);
 
     const scalar thickness = grains_.scene().planeThickness;
     forChunks(
@@ -408,10 +431,6 @@ void interphase::drag(scalar dt)
     // dv_j = sum_k J_k W_kj/rb_k,  dv_a = - sum_k J_k W_ka/rf_k      (T 6.9)
     distribute(grains_, fromGrains_, 1, grains_.grains.drag, dt);
     distribute(water_, fromWater_, -1, water_.water.drag, dt);
-    if (water_.asksGrains())
-    {
-        relaxWater(dt);
-    }
 }
 
 // What the water around a grain fills of its place beyond what there is,
@@ -440,8 +459,17 @@ void interphase::relaxWater(scalar dt)
     water_.relaxByGrains(excess_, dt);
 }
 
-// Work of an impulse: on the mean of the velocities before the kick that went
-// with it and after both, as the leapfrog does work
+//- w_ka e_k of (T 6.17) at the grains, over W_ka; room for its sum at the water
+realArray& interphase::excesses()
+{
+    const int n = grains_.grains.size();
+    realArray& q = fromGrains_[3];
+    lpfPairs::forEach(n, [&](int k) { q[k] = around_[k] * excess(k); });
+    q.pad(n, 0);
+    excess_.resize(water_.water.size());
+    return q;
+}
+
 void interphase::distribute(
     phaseDynamics& to,
     realArrays<7>& fromGrains,
@@ -454,13 +482,7 @@ void interphase::distribute(
     lpfPairs::smoothPass p = {crossed(to, grains_), asks ? 4 : 3, {}, {}};
     if (asks)
     {
-        const int n = grains_.grains.size();
-        lpfPairs::forEach(
-            n, [&](int k) { fromGrains[3][k] = around_[k] * excess(k); }
-        );
-        fromGrains[3].pad(n, 0);
-        excess_.resize(water_.water.size());
-        p.q[3] = fromGrains[3].data();
+        p.q[3] = excesses().data();
         p.out[3] = excess_.data();
     }
     for (std::size_t c = 0; c < 3; ++c)
@@ -470,18 +492,26 @@ void interphase::distribute(
         p.out[c] = dragForce[c].data();
     }
     engine_.smooth(p);
+    impart(to, sign, dragForce, dt);
+}
 
+// Work of an impulse: on the mean of the velocities before the kick that went
+// with it and after both, as the leapfrog does work
+void interphase::impart(
+    phaseDynamics& to, scalar sign, realArrays<3>& dU, scalar dt
+)
+{
     particleStore& particles = to.particles();
     to.ledger.drag +=
         orderedSum<sumOf<scalar>>(
             particles.size(),
             [&](int i)
             {
-                const vector change = sign * at(dragForce, i);
+                const vector change = sign * at(dU, i);
                 const vector U = at(particles.U, i) + change;
                 const vector before = U - change - dt * at(particles.a, i);
                 set(particles.U, i, U);
-                set(dragForce, i, change / dt);
+                set(dU, i, change / dt);
                 return sumOf<scalar>{
                     -0.5 * particles.mass[i] * (change & (before + U))};
             }
@@ -507,7 +537,8 @@ std::size_t interphase::bytes() const
          + grainsAtGrains_.bytes() + Vs_.bytes() + around_.bytes()
          + crowding_.bytes() + packed_.bytes() + excess_.bytes()
          + lpf::bytes(fromWater_) + lpf::bytes(fromGrains_)
-         + lpf::bytes(carried_);
+         + lpf::bytes(carried_) + voids_.bytes() + carriedVoids_.bytes()
+         + lpf::bytes(atWater_);
 }
 
 } // namespace lpf

@@ -42,7 +42,30 @@ double smallestEigenvalue(const Moment& M)
     return solver.eigenvalues()[0];
 }
 
+Moment inverse(const Moment& M)
+{
+    double first, second;
+    const double det = 1 / minors(M, first, second);
+    return {
+        det * (M.yy * M.zz - M.yz * M.yz),
+        det * (M.xz * M.yz - M.xy * M.zz),
+        det * (M.xy * M.yz - M.xz * M.yy),
+        det * (M.xx * M.zz - M.xz * M.xz),
+        det * (M.xy * M.xz - M.xx * M.yz),
+        det * second};
+}
+
 } // namespace
+
+bool plainInverse(const Moment& M, double least, Moment& B)
+{
+    if (!above(M, least))
+    {
+        return false;
+    }
+    B = inverse(M);
+    return true;
+}
 
 bool allBelow(const Moment& M, double s)
 {
@@ -62,15 +85,7 @@ Moment momentInverse(Moment M)
         }
     }
 
-    double first, second;
-    const double det = 1 / minors(M, first, second);
-    return {
-        det * (M.yy * M.zz - M.yz * M.yz),
-        det * (M.xz * M.yz - M.xy * M.zz),
-        det * (M.xy * M.yz - M.xz * M.yy),
-        det * (M.xx * M.zz - M.xz * M.xz),
-        det * (M.xy * M.xz - M.xx * M.yz),
-        det * second};
+    return inverse(M);
 }
 
 } // namespace lpf

@@ -54,12 +54,17 @@ void particleStore::resize(int n)
     {
         f->resize(n);
     }
+    if (keepsStart_)
+    {
+        lpf::resize(UStart, n);
+    }
 }
 
 std::size_t particleStore::bytes() const
 {
     return lpf::bytes(x) + lpf::bytes(U) + lpf::bytes(a) + mass.bytes()
-         + V.bytes() + spare_.bytes() + id.bytes() + zone.bytes();
+         + V.bytes() + spare_.bytes() + id.bytes() + zone.bytes()
+         + lpf::bytes(UStart);
 }
 
 void particleStore::permute(const indexArray& order)
@@ -69,6 +74,10 @@ void particleStore::permute(const indexArray& order)
     permute(mass, order);
     permute(id, order);
     permute(zone, order);
+    if (keepsStart_)
+    {
+        permute(UStart, order);
+    }
 }
 
 void particleStore::readShared(const cloudState& cloud)

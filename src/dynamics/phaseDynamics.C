@@ -158,6 +158,45 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
 
 void phaseDynamics::drift(scalar dt, scalar time)
 {
+    shift(dt);
+    move(particles_.U, dt, time + dt);
+}
+
+void phaseDynamics::keepState(scalar)
+{
+    particles_.UStart = particles_.U;
+}
+
+void phaseDynamics::driftFreely(scalar dt)
+{
+    const passTimes::timed pass(times, "drift");
+    lpfPairs::forEach(
+        particles_.size(),
+        [&](int i)
+        {
+            const vector step = at(particles_.U, i) * dt;
+            set(particles_.x, i, at(particles_.x, i) + step);
+        }
+    );
+    if (cmptMax(scene_.cyclic.period) > 0)
+    {
+        wrapCyclic();
+    }
+}
+
+void phaseDynamics::goToEnd()
+{
+    particles_.U.swap(particles_.UStart);
+}
+
+void phaseDynamics::driftOn(scalar dt, scalar time)
+{
+    shift(dt);
+    move(particles_.UStart, 0.5 * dt, time + dt);
+}
+
+void phaseDynamics::move(const realArrays<3>& velocity, scalar dt, scalar end)
+{
     const passTimes::timed pass(times, "drift");
     constexpr int corners = 4; // a corner of three planes needs three
 
@@ -168,7 +207,7 @@ void phaseDynamics::drift(scalar dt, scalar time)
             driftSums s;
             const scalar m = particles_.mass[i];
             vector U = at(particles_.U, i);
-            const vector step = U * dt;
+            const vector step = at(velocity, i) * dt;
             vector x = at(particles_.x, i) + step;
 
             bool touches = mayTouchGround(i, step);
@@ -193,7 +232,7 @@ void phaseDynamics::drift(scalar dt, scalar time)
     {
         wrapCyclic();
     }
-    removeLeavers(time + dt);
+    removeLeavers(end);
 }
 
 void phaseDynamics::removeLeavers(scalar time)

@@ -228,11 +228,7 @@ void waterDynamics::shearRates()
                           & toVec(2 * gradientScale_ * v))
                        + symm(outer(toVec(gradientScale_ * along), toVec(g)));
                 }
-                shearRate_[i] = std::sqrt(
-                    2
-                    * (D.xx * D.xx + D.yy * D.yy + D.zz * D.zz
-                       + 2 * (D.xy * D.xy + D.xz * D.xz + D.yz * D.yz))
-                );
+                shearRate_[i] = rateOfShear(D);
             }
         }
     );
@@ -263,9 +259,38 @@ void waterDynamics::addGround()
 }
 
 // rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
-// and Balsara's switch from div and curl,
-//     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
-void waterDynamics::correct(scalar dt)
+waterDynamics::densities waterDynamics::densityAfter(int i, scalar dt)
+{
+    const scalar diffusivity =
+        scheme_.densityDiffusion * scene_.h * state_.c0();
+    const scalar lowest = lowestDensity * state_.rho0();
+    const scalar half = 0.5 * dt * water.rate[i];
+    const scalar rho = max(lowest, water.rho[i] * (1 - half) / (1 + half));
+    const scalar relaxed =
+        scheme_.densityRelaxation > 0 ? rho * (1 + dt * drawnBack(i)) : rho;
+    return {rho, max(lowest, relaxed + dt * diffusivity * water.diffusion[i])};
+}
+
+// By which it falls, of all three; rhoStart is free until keepState()
+void waterDynamics::keepDensityRate()
+{
+    const scalar diffusivity =
+        scheme_.densityDiffusion * scene_.h * state_.c0();
+    lpfPairs::forEach(
+        water.size(),
+        [&](int i)
+        {
+            const scalar back =
+                scheme_.densityRelaxation > 0 ? drawnBack(i) : 0;
+            water.rhoStart[i] = water.rate[i] - back
+                              - diffusivity * water.diffusion[i] / water.rho[i];
+        }
+    );
+}
+
+// In the middle of a step on from its start twice, over dt, which is booked,
+// and over half of it, for the forces
+void waterDynamics::correct(scalar dt, stage where)
 {
     const passTimes::timed pass(times, "density, pressure");
     const int n = water.size();
@@ -274,40 +299,51 @@ void waterDynamics::correct(scalar dt)
         // the volume that water leaves is compressed by all of it   (T 6.4)
         lpfPairs::forEach(n, [&](int i) { water.rate[i] /= water.theta[i]; });
     }
-    const scalar diffusivity =
-        scheme_.densityDiffusion * scene_.h * state_.c0();
-    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
-    const bool relaxes = scheme_.densityRelaxation > 0;
     if (asksGrains())
     {
         byGrains_.resize(n);
     }
-    const scalar lowest = lowestDensity * state_.rho0();
-
-    ledger.diffusion +=
-        orderedSum<sumOf<scalar>>(
-            n,
-            [&](int i)
-            {
-                const scalar half = 0.5 * dt * water.rate[i];
-                const scalar div = mag(water.rate[i]);
-                const scalar rho =
-                    max(lowest, water.rho[i] * (1 - half) / (1 + half));
-                const scalar relaxed =
-                    relaxes ? rho * (1 + dt * drawnBack(i)) : rho;
-                water.rho[i] =
-                    max(lowest,
-                        relaxed + dt * diffusivity * water.diffusion[i]);
-                water.curl[i] = div / (div + water.curl[i] + quiet);
-                return sumOf<scalar>{
-                    water.mass[i]
-                    * (state_.energy(rho) - state_.energy(water.rho[i]))};
-            }
-        ).value;
+    if (where == stage::start)
+    {
+        keepDensityRate();
+    }
+    if (where == stage::middle)
+    {
+        std::swap(water.rho, water.rhoStart);
+        lpfPairs::forEach(
+            n, [&](int i) { water.rhoStart[i] = densityAfter(i, 0.5 * dt).end; }
+        );
+    }
+    advanceDensity(dt);
+    if (where == stage::middle)
+    {
+        std::swap(water.rho, water.rhoStart);
+    }
     water.rho.pad(n, state_.rho0());
     water.curl.pad(n, 0);
     state_.pressure(n, water.rho.data(), water.p.data());
     water.p.pad(n, 0);
+}
+
+// And Balsara's switch from div and curl,
+//     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
+void waterDynamics::advanceDensity(scalar dt)
+{
+    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
+    ledger.diffusion +=
+        orderedSum<sumOf<scalar>>(
+            water.size(),
+            [&](int i)
+            {
+                const scalar div = mag(water.rate[i]);
+                const densities rho = densityAfter(i, dt);
+                water.rho[i] = rho.end;
+                water.curl[i] = div / (div + water.curl[i] + quiet);
+                return sumOf<scalar>{
+                    water.mass[i]
+                    * (state_.energy(rho.moved) - state_.energy(rho.end))};
+            }
+        ).value;
 }
 
 void waterDynamics::viscosityOfMixture()
@@ -479,12 +515,46 @@ void waterDynamics::relaxViscosity(scalar dt)
     }
 }
 
-void waterDynamics::rates(scalar dt, scalar time)
+void waterDynamics::rates(scalar dt, scalar time, stage where)
 {
     arrange(time);
     divergence();
-    correct(dt);
+    correct(dt, where);
     accelerations();
+}
+
+// The density of the middle gives the volumes there
+void waterDynamics::keepState(scalar dt)
+{
+    phaseDynamics::keepState(dt);
+    lpfPairs::forEach(
+        water.size(),
+        [&](int i)
+        {
+            const scalar quarter = 0.25 * dt * water.rhoStart[i];
+            const scalar rho = water.rho[i];
+            water.rhoStart[i] = rho;
+            water.rho[i] = rho * (1 - quarter) / (1 + quarter);
+        }
+    );
+}
+
+void waterDynamics::goToEnd()
+{
+    phaseDynamics::goToEnd();
+    std::swap(water.rho, water.rhoStart);
+    if (withGrains_)
+    {
+        // of the velocity before the kick, as kicks take it
+        lpfPairs::forEach(
+            water.size(),
+            [&](int i)
+            {
+                const vector back = at(water.U, i) - at(water.UStart, i);
+                set(water.flux, i, at(water.flux, i) + water.theta[i] * back);
+            }
+        );
+    }
 }
 
 namespace

@@ -125,6 +125,10 @@ vector waterDynamics::shiftVelocity(int i) const
 // depth. What that does to the energy is booked.
 void waterDynamics::shift(scalar dt)
 {
+    if (!(scheme_.shifting > 0))
+    {
+        return;
+    }
     const vector perLength = (state_.rho0() / sqr(state_.c0())) * scene_.g;
     ledger.shifting +=
         orderedSum<sumOf<scalar>>(
@@ -139,15 +143,6 @@ void waterDynamics::shift(scalar dt)
                     water.mass[i] * (scene_.g & d) + before - storedEnergy(i)};
             }
         ).value;
-}
-
-void waterDynamics::drift(scalar dt, scalar time)
-{
-    if (scheme_.shifting > 0)
-    {
-        shift(dt);
-    }
-    phaseDynamics::drift(dt, time);
 }
 
 } // namespace lpf

@@ -21,13 +21,17 @@ void waterStore::resize(int n)
         lpf::resize(gradPForce, n);
         lpf::resize(drag, n);
     }
+    if (keepsStart_)
+    {
+        rhoStart.resize(n);
+    }
 }
 
 std::size_t waterStore::bytes() const
 {
     return particleStore::bytes() + 5 * rho.bytes() + lpf::bytes(friction)
          + theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
-         + lpf::bytes(drag);
+         + lpf::bytes(drag) + rhoStart.bytes();
 }
 
 void waterStore::permute(const indexArray& order)
@@ -39,6 +43,10 @@ void waterStore::permute(const indexArray& order)
     {
         permute(theta, order);
         permute(drag, order);
+    }
+    if (keepsStart_)
+    {
+        permute(rhoStart, order);
     }
 }
 

@@ -68,8 +68,11 @@ void smoothed(const smoothPass& p)
     case 5:
         smoothAll<5>(p);
         break;
-    default:
+    case 7:
         smoothAll<7>(p);
+        break;
+    default:
+        smoothAll<8>(p);
     }
 }
 

@@ -438,24 +438,11 @@ double peak()
 }
 
 const pairEngine engine = {
-    LPF_ISA,
-    nLanes,
-    lanesOf<float>,
-    newTable,
-    deleteTable,
-    borrowMemory,
-    searchPairs,
-    sizeOfTable,
-    anyKinematics,
-    anyForce,
-    anyWall,
-    waterContinuity,
-    waterForce,
-    viscousForce,
-    stickToGround,
-    smoothed,
-    numberListed,
-    peak};
+    LPF_ISA,        nLanes,          lanesOf<float>, newTable,
+    deleteTable,    borrowMemory,    searchPairs,    sizeOfTable,
+    anyKinematics,  anyForce,        anyWall,        waterContinuity,
+    waterForce,     viscousForce,    stickToGround,  smoothed,
+    stressGradient, stressDiffusion, numberListed,   peak};
 
 } // namespace
 } // namespace lpfPairs

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooths what a linear stress leaves of the differences of neighbours. A
+// stress that is linear in x stays as it is, on any slope and at any edge.
+#include "grainDynamics.H"
+
+#include "fieldTensors.H"
+#include "momentInverse.H"
+#include "pairTerms.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+using lpfPairs::orderedSum;
+using lpfPairs::sumOf;
+
+namespace
+{
+
+//- A moment with an eigenvalue below this says too little of a gradient
+constexpr double leastMoment = 0.2;
+
+constexpr std::size_t parts = lpfPairs::stressParts;
+
+} // namespace
+
+void grainDynamics::gatherGradient()
+{
+    const int n = grains.size();
+    lpf::resize(gradSigma_, n);
+    lpf::resize(jumps_, n);
+    takesPart_.resize(n);
+
+    const lpfPairs::kinematicsPass k = kinematicsPass();
+    lpfPairs::stressGradientPass p = {};
+    p.pairs = k.pairs;
+    p.single = k.single;
+    p.cells = k.cells;
+    p.h = k.h;
+    p.dimensions = k.dimensions;
+    p.x = k.x;
+    p.y = k.y;
+    p.z = k.z;
+    p.V = k.V;
+    for (std::size_t c = 0; c < parts; ++c)
+    {
+        p.sigma[c] = grains.sigma[c].data();
+        p.M[c] = jumps_[c].data();
+    }
+    for (std::size_t c = 0; c < 3 * parts; ++c)
+    {
+        p.Q[c] = gradSigma_[c].data();
+    }
+    engine_.stressGradient(p);
+}
+
+// Grains that are separated carry none: what they took would be made of nothing
+bool grainDynamics::carriesStress(int i) const
+{
+    return mag(pressureAt(i)) > 0;
+}
+
+//     G = Q M^-1 of each component                                   (T 3.40)
+void grainDynamics::takeGradient(int i)
+{
+    Symm inverse;
+    const Symm M = symmAt(jumps_, i) + acrossPlane_;
+    const bool takes =
+        carriesStress(i) && plainInverse(M, leastMoment, inverse);
+    takesPart_[i] = takes ? grains.V[i] : 0;
+    for (std::size_t c = 0; c < 3 * parts; c += 3)
+    {
+        const Vec3 Q = {
+            gradSigma_[c][i], gradSigma_[c + 1][i], gradSigma_[c + 2][i]};
+        const Vec3 G = takes ? inverse & Q : Vec3{0, 0, 0}; // (T 3.40)
+        gradSigma_[c][i] = G.x;
+        gradSigma_[c + 1][i] = G.y;
+        gradSigma_[c + 2][i] = G.z;
+    }
+}
+
+//     sigma_i += dt 2 d h c sum_j V_j F_ij psi_ij,
+//     rho_i   += rhoRef_i dp_i/K                                     (T 3.42)
+// over the grains that take part; the energy that it takes out of the store
+scalar grainDynamics::addJumps(int i, scalar weight)
+{
+    if (!(takesPart_[i] > 0))
+    {
+        return 0;
+    }
+    const scalar before = storedEnergy(i);
+    for (std::size_t c = 0; c < parts; ++c)
+    {
+        grains.sigma[c][i] += weight * jumps_[c][i]; // (T 3.42)
+    }
+    const scalar dp =
+        -weight * (jumps_[0][i] + jumps_[3][i] + jumps_[5][i]) / 3;
+    grains.rho[i] += grains.rhoRef[i] * dp / rheology_.elastic().K();
+    return before - storedEnergy(i);
+}
+
+void grainDynamics::diffuseStress(scalar dt)
+{
+    const passTimes::timed pass(times, "stress diffusion");
+    const int n = grains.size();
+    gatherGradient();
+    lpfPairs::forEach(n, [&](int i) { takeGradient(i); });
+
+    const lpfPairs::kinematicsPass k = kinematicsPass();
+    lpfPairs::stressDiffusionPass p = {};
+    p.pairs = k.pairs;
+    p.single = k.single;
+    p.cells = k.cells;
+    p.h = k.h;
+    p.dimensions = k.dimensions;
+    p.x = k.x;
+    p.y = k.y;
+    p.z = k.z;
+    p.V = takesPart_.data();
+    for (std::size_t c = 0; c < parts; ++c)
+    {
+        p.sigma[c] = grains.sigma[c].data();
+        p.out[c] = jumps_[c].data();
+    }
+    for (std::size_t c = 0; c < 3 * parts; ++c)
+    {
+        p.G[c] = gradSigma_[c].data();
+    }
+    engine_.stressDiffusion(p);
+
+    const scalar weight =
+        dt * scheme_.stressDiffusion * scene_.h * rheology_.elastic().c();
+    ledger.diffusion +=
+        orderedSum<sumOf<scalar>>(
+            n, [&](int i) { return sumOf<scalar>{addJumps(i, weight)}; }
+        ).value;
+}
+
+} // namespace lpf
+} // namespace Foam
