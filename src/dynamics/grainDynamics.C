@@ -48,6 +48,7 @@ grainDynamics::grainDynamics(
           scene.spacing,
           scene.dimensions
       )),
+      surface_(wet ? new lpfPairs::surfaceShare(scene.dimensions) : nullptr),
       grains(wet)
 {
 }
@@ -321,9 +322,13 @@ void grainDynamics::rates(scalar dt, scalar time)
     volumes();
 
     kinematics();
-    seeGround(wet_ || scheme_.seesPacking());
+    seeGround(seesPacking());
     renew(near_, walls_.size());
     gradient();
+    if (wet_)
+    {
+        seeSurface();
+    }
     if (scheme_.seesPacking())
     {
         followPacking(dt);
@@ -354,7 +359,7 @@ void grainDynamics::kinematics()
     {
         k.M[c] = grains.B[c].data();
     }
-    if (scheme_.seesPacking())
+    if (seesPacking())
     {
         fill_.resize(grains.size());
         lpf::resize(gradFill_, grains.size());
@@ -571,7 +576,8 @@ std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
-         + lpf::bytes(gradFill_) + (resistance_ ? resistance_->bytes() : 0);
+         + lpf::bytes(gradFill_) + beneath_.bytes()
+         + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -34,10 +34,10 @@ constexpr scalar crowded = 1.1;
 //- Less water around than this share of the kernel is none
 constexpr scalar dryShare = 1e-6;
 
-//- Share of the kernel that is not ground, as a divisor
-scalar openShare(scalar groundShare)
+//- Share of the kernel that is not closed to a phase, as a divisor
+scalar openShare(scalar closed)
 {
-    return max(0.3, 1 - groundShare);
+    return max(0.3, 1 - closed);
 }
 
 //- Share of a place that a phase fills, from the sum of its volumes over the
@@ -363,7 +363,9 @@ vector interphase::dragImpulse(int k, scalar dt) const
         vector(fromWater_[4][k], fromWater_[5][k], fromWater_[6][k]) / rf
         - vector(fromGrains_[4][k], fromGrains_[5][k], fromGrains_[6][k]) / rb;
 
-    const scalar open = openShare(grains_.groundShare(k));
+    // of the kernel, what is neither ground nor beyond the surface  (T 6.19)
+    const scalar open =
+        openShare(grains_.groundShare(k) + grains_.surfaceShare(k, h_));
     dragPoint at;
     const scalar bulk = grains_.grains.rho[k];
     at.solid = min(densest, bulk / grainDensity_ * filled(rb / (open * bulk)));
