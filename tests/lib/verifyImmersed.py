@@ -120,12 +120,12 @@ class Loose(Immersed):
 class Dense(Immersed):
     name = "immersed.dense"
     phi, high, tank = 0.60, 0.042, 0.17
-    layers = (5, 7, 10)
+    layers = (5, 7)
     fronts = ((0.551, 0.0877), (1.229, 0.0836), (1.907, 0.0928), (2.542, 0.0952))
     pressures = ((1.127, -126.0), (1.972, -63.9), (3.38, -52.3))
     end = 2.6
     window = (1.15, 2.6)
-    negatives = {"no dilatancy": ({"dilatancy": "none"}, "wrong sign", 7)}
+    negatives = {"no dilatancy": ({"dilatancy": "none"}, "wrong sign", 5)}
     reference = REFERENCE % ("0.60 in a column of 0.06 x 0.042 m", "1.15 to 2.6")
 
 
