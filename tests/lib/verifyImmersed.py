@@ -112,6 +112,7 @@ class Immersed(Verification):
 class Loose(Immersed):
     name = "immersed.loose"
     layers = (4, 6, 8)
+    negatives = {"no dilatancy": ({"dilatancy": "none"}, "wrong sign", 6)}
     fronts = ((0.636, 0.1627), (1.314, 0.1972), (1.907, 0.2030))
     pressures = ((1.127, 133.3), (1.972, 144.1), (3.38, 126.5))
     reference = REFERENCE % ("0.55 in a column of 0.06 x 0.048 m", "1.15 to 2")
@@ -125,7 +126,6 @@ class Dense(Immersed):
     pressures = ((1.127, -126.0), (1.972, -63.9), (3.38, -52.3))
     end = 2.6
     window = (1.15, 2.6)
-    negatives = {"no dilatancy": ({"dilatancy": "none"}, "wrong sign", 5)}
     reference = REFERENCE % ("0.60 in a column of 0.06 x 0.042 m", "1.15 to 2.6")
 
 
