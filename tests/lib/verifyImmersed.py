@@ -45,7 +45,9 @@ class Immersed(Verification):
         "where they shear and nowhere else, so that loose grains bear as soon as "
         "they stop. In the experiment they go on to settle and keep the pressure for "
         "ten seconds. While the column falls it is 100 to 200 Pa, loose, and -100 to "
-        "-170 Pa, dense, of which nothing was read off.")}
+        "-170 Pa, dense, of which nothing was read off. Without dilatancy it is negative in "
+        "both (-20 Pa): taking its side away unloads the column, so that the sign of "
+        "the loose one tells.")}
     # whose mean is compared [s]
     window = (1.15, 2.0)
 
