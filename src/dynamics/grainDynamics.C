@@ -51,6 +51,7 @@ grainDynamics::grainDynamics(
           scene.spacing,
           scene.dimensions
       )),
+      surface_(wet ? new lpfPairs::surfaceShare(scene.dimensions) : nullptr),
       grains(wet)
 {
 }
@@ -374,9 +375,13 @@ void grainDynamics::rates(scalar dt, scalar time, stage where)
     volumes();
 
     kinematics();
-    seeGround(wet_ || scheme_.seesPacking());
+    seeGround(seesPacking());
     renew(near_, walls_.size());
     gradient();
+    if (wet_)
+    {
+        seeSurface();
+    }
     advanceStress(dt, where);
     if (resistance_)
     {
@@ -529,7 +534,7 @@ void grainDynamics::kinematics()
     {
         k.M[c] = grains.B[c].data();
     }
-    if (scheme_.seesPacking())
+    if (seesPacking())
     {
         fill_.resize(grains.size());
         lpf::resize(gradFill_, grains.size());
@@ -756,7 +761,8 @@ std::size_t grainDynamics::bytes() const
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
          + lpf::bytes(gradFill_) + lpf::bytes(gradSigma_) + lpf::bytes(jumps_)
-         + takesPart_.bytes() + (resistance_ ? resistance_->bytes() : 0);
+         + takesPart_.bytes() + beneath_.bytes()
+         + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the packing of the particles says of the density of grains, and of where
-// they should go, where the flow shears. Both vanish at rest.
+// they should go, where the flow shears, which vanish at rest; and where their
+// free surface is, for drag.
 #include "grainDynamics.H"
 
 #include "fieldTensors.H"
@@ -77,6 +78,54 @@ void grainDynamics::followPacking(scalar dt)
                 return sumOf<scalar>{before - storedEnergy(i)};
             }
         ).value;
+}
+
+// Grains that fill s of their place up to a plane surface, and behind the
+// ground:
+//     h |sum V gradW - s sum A E n|/(sum m W/rho + s gam) = h p/(1 - gam'),
+//     s = sum m W/rho/(1 - gam - gam') <= 1                           (T 6.20)
+// p and gam' those at one depth below the surface. Where s is low the grains
+// are spread out, and a gradient is their disorder
+scalar grainDynamics::beyondSurface(int i) const
+{
+    constexpr int tries = 3; // the last changes gam' by 0.003 at most
+    constexpr scalar least = 0.2, spread = 0.6, bed = 0.8;
+    const scalar fill = fill_[i] / grains.rho[i];
+    scalar gam = 0;
+    vector ground(Zero);
+    if (slot_[i] >= 0)
+    {
+        gam = max(scalar(0), groundShare(i));
+        ground = toVector(
+            contracted(thirdMoment(walls_[static_cast<std::size_t>(slot_[i])]))
+        );
+    }
+    scalar beyond = 0, s = 0;
+    for (int k = 0; k < (slot_[i] < 0 ? 1 : tries); ++k)
+    {
+        s = min(scalar(1), fill / max(least, 1 - gam - beyond));
+        const vector gradient = at(gradFill_, i) - s * ground;
+        beyond = surface_->beyond(
+            scene_.h * mag(gradient) / (fill + s * gam) // (T 6.20)
+        );
+    }
+    s = fill / max(least, 1 - gam - beyond);
+    return std::clamp((s - spread) / (bed - spread), 0.0, 1.0) * beyond;
+}
+
+void grainDynamics::seeSurface()
+{
+    const passTimes::timed pass(times, "surface");
+    beneath_.resize(grains.size());
+    lpfPairs::forEach(
+        grains.size(),
+        [&](int i) { beneath_[i] = surface_->depth(beyondSurface(i)); }
+    );
+}
+
+scalar grainDynamics::surfaceShare(int i, scalar h) const
+{
+    return surface_->atDepth(beneath_[i] * scene_.h / h);
 }
 
 // x <- x + dt v_s; what that does to the energy is booked

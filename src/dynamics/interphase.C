@@ -367,7 +367,9 @@ vector interphase::dragImpulse(int k, scalar dt) const
         vector(fromWater_[4][k], fromWater_[5][k], fromWater_[6][k]) / rf
         - vector(fromGrains_[4][k], fromGrains_[5][k], fromGrains_[6][k]) / rb;
 
-    const scalar open = openShare(grains_.groundShare(k));
+    // of the kernel, what is neither ground nor beyond the surface  (T 6.21)
+    const scalar open =
+        openShare(grains_.groundShare(k) + grains_.surfaceShare(k, h_));
     const scalar bulk = grains_.grains.rho[k];
     const dragPlace place =
         placeOf(bulk / grainDensity_ * filled(rb / (open * bulk)), rf, open);

@@ -99,13 +99,15 @@ class Case:
         ]
 
     def change(self, name, changed, cloud="grains", time="0"):
-        """Positions or a field of numbers or vectors, each value by a function
-        of it and of where it is"""
+        """Positions or a field of numbers, vectors or symmetric tensors, each
+        value by a function of it and of where it is"""
         values = [changed(v, x) for v, x in zip(
             self.field(time, name, cloud), self.field(time, "positions", cloud))]
         kind, line = "scalarField", "%r\n"
         if isinstance(values[0], tuple):
-            kind, line = "vectorField", "(%r %r %r)\n"
+            kind, line = {
+                3: ("vectorField", "(%r %r %r)\n"),
+                6: ("symmTensorField", "(%r %r %r %r %r %r)\n")}[len(values[0])]
         if name == "positions":
             kind, line = "Cloud<passiveParticle>", "(%r %r %r) 0\n"
         file = os.path.join(self.path, time, "lagrangian", cloud, name)

@@ -33,6 +33,7 @@ class Scene:
     zones: str = ""  # default: no friction
     cyclic: str = ""
     corner: float = None  # y of the lattice, default: the body is centred
+    rheology: str = "muI"
     grains: dict = field(default_factory=dict)
     diameter: float = 0.0005
     mu: float = 0.0  # viscosity of the water [Pa s]
@@ -81,8 +82,10 @@ class Scene:
             coeffs = {
                 "muS": 0.3839, "mu2": 0.6494, "I0": 0.28, "nu": 0.3,
                 "E": "auto", "initialStress": "geostatic", **self.grains}
-            text += "grains { rho %g; diameter %g; rheology muI; muICoeffs { %s } }\n" % (
-                self.rhoGrains, self.diameter,
+            if self.rheology != "muI":
+                del coeffs["I0"]
+            text += "grains { rho %g; diameter %g; rheology %s; %sCoeffs { %s } }\n" % (
+                self.rhoGrains, self.diameter, self.rheology, self.rheology,
                 " ".join("%s %s;" % item for item in coeffs.items()))
         if "water" in self.phases:
             text += "water { rho %g; NewtonianCoeffs { mu %.17g; } %s }\n" % (

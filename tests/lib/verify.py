@@ -22,7 +22,7 @@ from lpfCase import ok
 MODULES = (
     "verifyRest", "verifyDamBreak", "verifyWaves", "verifySlabs", "verifyOnset",
     "verifyViscous", "verifyConsolidation", "verifyBoiling", "verifyFlow",
-    "verifyColumns", "verifyNumerics", "verifyGround",
+    "verifyColumns", "verifyNumerics", "verifyGround", "verifyImmersed",
 )
 
 

@@ -283,7 +283,7 @@ struct powers
 
 
 //- The stress does no work in what the grains alone add to the gradient beside
-//  a plane (T 3.40); the ledger takes it out of the plastic work
+//  a plane (T 3.43); the ledger takes it out of the plastic work
 double idlePower(testScene& s)
 {
     const double dt = 1e-9;

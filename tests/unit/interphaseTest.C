@@ -11,6 +11,7 @@
 #include "sampleScene.H"
 #include "wendlandC2.H"
 
+#include <mutex>
 #include <random>
 
 using namespace Foam;
@@ -31,6 +32,22 @@ class linearDrag : public dragLaw
 public:
     scalar value = 0;
     scalar beta(const dragPoint&, scalar) const override { return value; }
+};
+
+//- What solid fractions the grains have for drag
+class seenByDrag : public dragLaw
+{
+    mutable std::mutex one_;
+
+public:
+    mutable double least = 1, most = 0;
+    scalar beta(const dragPoint& at, scalar) const override
+    {
+        const std::lock_guard<std::mutex> lock(one_);
+        least = min(least, at.solid);
+        most = max(most, at.solid);
+        return 1;
+    }
 };
 
 //- No stress: grains that only drag and pressure move
@@ -743,6 +760,34 @@ TEST_CASE("drag: least velocity of fluidisation, 5 % of Ergun")
         CHECK(U == Approx(exact).epsilon(0.05));
         CHECK_FALSE(1.1 * U == Approx(exact).epsilon(0.05));
     }
+}
+
+
+// The kernel of the upper and lower layers is cut off there, 0.79 of it is left
+TEST_CASE("drag: a bed is as dense under its surface as in the depth")
+{
+    const double xi = 0.5;
+    const seenByDrag law;
+    box b(xi, 0, 15, &law);
+    grainStore& g = b.grains->grains;
+    int kept = 0;
+    for (int i = 0; i < g.size(); ++i)
+    {
+        const vector x = at(g.x, i);
+        if (mag(x.z() - 0.5 * period) < 3 * dx)
+        {
+            set(g.x, kept++, x);
+        }
+    }
+    CHECK(kept == 6 * cells * cells);
+    g.truncate(kept);
+    b.setU([](const vector&, bool isGrain)
+           { return isGrain ? vector(0, 0, 0) : vector(1, 0, 0); });
+    b.arrange();
+    b.coupling->drag(1e-3);
+    INFO("solid fraction " << law.least << " to " << law.most);
+    CHECK(law.least > 0.97 * xi);
+    CHECK(law.most < 1.03 * xi);
 }
 
 
