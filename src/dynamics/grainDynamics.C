@@ -8,8 +8,6 @@
 #include "momentInverse.H"
 #include "pairTerms.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 namespace lpf
@@ -146,9 +144,7 @@ lpfPairs::forcePass grainDynamics::forcePass()
 // A uniform stress then gives no force beside a plane.
 // Along a plane the tangential rows are taken from the grains alone,
 //     L_t = (I - n n) R B_p,  B_p^-1 = M,                              (T 4.4)
-// for the mirror would halve the shear of a layer that slides. The force is
-// adjoint to (T 4.3) all the same: of the lowest layer only the part above its
-// centre shears and does work.
+// for the mirror would halve the shear of a layer that slides.
 void grainDynamics::gradient()
 {
     const passTimes::timed pass(times, "velocity gradient");
@@ -191,11 +187,10 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     const Vec3 nA = contracted(N3);
     const double magnitude = std::sqrt(magSqr(nA));
     near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
-    const double planarity =
+    near.planarity =
         wall.area > 0 ? std::max(0.0, 10 * magnitude / wall.area - 9) : 0;
     near.friction = wall.area > 0 ? wall.friction / wall.area : 0;
-    near.alone = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    const Symm Bp = momentInverse(M);
+    near.Bp = momentInverse(M);
 
     // the ground neither holds a grain back nor stretches it: in tension it
     // is not there for a grain that moves away
@@ -204,18 +199,17 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     near.closed = !(tension && (v & near.n) > 0);
     if (!near.closed)
     {
-        setGradient(i, Bp, R);
+        setGradient(i, near.Bp, R);
         return;
     }
 
     const Symm B = momentInverse(M + secondMoment(wall));
     const Symm Nv = N3 & v;
     const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
-    const Tens P = tangential(planarity, near.n);
-    const Tens own = R & full(Bp);
-    near.alone = P & (own - mirrored);
+    const Tens P = tangential(near.planarity, near.n);
+    const Tens own = R & full(near.Bp);
     setSymm(grains.B, i, B);
-    setTensor(grains.L, i, mirrored + near.alone); // (T 4.4)
+    setTensor(grains.L, i, mirrored + (P & (own - mirrored))); // (T 4.4)
 }
 
 double grainDynamics::pressureAt(int i) const
@@ -235,103 +229,57 @@ double grainDynamics::dampingPressure(int i) const
     return p > 0 ? std::max(q, -p) : 0;
 }
 
-namespace
-{
-
-//- Power that the stress of the grains has, and what they have no share in
-struct stressPower
-{
-    double damping = 0; //!< of the bulk damping
-    double idle = 0;    //!< in shear below the centre of the lowest layer
-
-    void operator+=(const stressPower& b)
-    {
-        damping += b.damping;
-        idle += b.idle;
-    }
-};
-
-double trace(const Tens& a)
-{
-    return a.x.x + a.y.y + a.z.z;
-}
-
-} // namespace
-
-// The adjoint of (T 4.3), whose L is that of gradient() less what the grains
-// alone have there: the stress does no work in that,
-//     idle = V sigma:(L - L(T 4.3))                                   (T 3.43)
+// The adjoint of gradient():
+//     A = (I - P) sigma B + P sigma B_p                              (T 3.12)
+//     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
 void grainDynamics::stressMoment()
 {
     const passTimes::timed pass(times, "stress moment");
-    const stressPower power = orderedSum<stressPower>(
-        grains.size(),
-        [&](int i)
-        {
-            const double volume = grains.V[i] * scene_.planeThickness;
-            const Symm sigma = symmAt(grains.sigma, i);
-            const double q = dampingPressure(i);
-            double trL = trace(tensorAt(grains.L, i));
-            stressPower w;
-            if (slot_[i] >= 0)
-            {
-                const Tens& alone =
-                    near_[static_cast<std::size_t>(slot_[i])].alone;
-                trL -= trace(alone);
-                w.idle = volume * (full(sigma) && alone);
-            }
-            w.damping = -volume * q * trL;
-            stressMomentOf(i, sigma + Symm{-q, 0, 0, -q, 0, -q});
-            return w;
-        }
-    );
-    dampingPower_ = power.damping;
-    idlePower_ = power.idle;
+    dampingPower_ = orderedSum<sumOf<double>>(
+                        grains.size(),
+                        [&](int i)
+                        {
+                            const double trL = grains.L[0][i] + grains.L[4][i]
+                                             + grains.L[8][i];
+                            const double q = dampingPressure(i);
+                            stressMomentOf(i, q);
+                            return sumOf<double>{
+                                -q * trL * grains.V[i] * scene_.planeThickness};
+                        }
+    ).value;
     padZero(grains.L, grains.size());
 }
 
-//     A = sigma B                                                     (T 3.12)
-//     f_ground = - 2 V sum_q A E (n.sigma B.n) n                       (T 4.5)
-void grainDynamics::stressMomentOf(int i, const Symm& sigma)
+void grainDynamics::stressMomentOf(int i, double q)
 {
-    const Tens A = full(sigma) & full(symmAt(grains.B, i)); // (T 3.12)
-    setTensor(grains.L, i, A);
+    const Tens sigma =
+        full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
+    const Tens sigmaB = sigma & full(symmAt(grains.B, i));
     if (slot_[i] < 0)
     {
+        setTensor(grains.L, i, sigmaB);
         return;
     }
     const auto slot = static_cast<std::size_t>(slot_[i]);
     nearWall& near = near_[slot];
     near.f = {0, 0, 0};
     near.carried = false;
-    if (near.closed)
+    if (!near.closed)
     {
-        near.f = (-2 * grains.V[i] * scene_.planeThickness)
-               * (thirdMoment(walls_[slot]) && A); // (T 4.5)
-        near.carried = (near.f & near.n) > 0;
-        near.friction = frictionAt(near, walls_[slot].distance, sigma);
+        setTensor(grains.L, i, sigmaB);
+        return;
     }
-}
+    const Tens P = tangential(near.planarity, near.n);
+    const Tens mirrored = sigmaB - (P & sigmaB);
 
-// A grain within half a spacing of the ground touches it, one beyond one and a
-// half does not. What the ground holds of that stands for stress that the
-// grains pass on, and flowing grains pass on no more shear than they bear:
-//     mu_i = r + c (mu - r) where mu > r,
-//     r = max(|sigma_t|, S0)/sigma_n,  c = 3/2 - d/dx, 0 to 1          (T 4.18)
-double grainDynamics::frictionAt(
-    const nearWall& near, double distance, const Symm& sigma
-) const
-{
-    const Vec3 t = full(sigma) & near.n;
-    const double normal = -(t & near.n);
-    const double p = -(sigma.xx + sigma.yy + sigma.zz) / 3;
-    const double shear = std::max(
-        std::sqrt(magSqr(t + normal * near.n)), rheology_.yieldStress(p)
+    near.f = (-2 * grains.V[i] * scene_.planeThickness)
+           * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
+    near.carried = (near.f & near.n) > 0;
+    setTensor(
+        grains.L,
+        i,
+        mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
     );
-    const double ratio = normal > 0 ? shear / normal : 0;
-    const double touch = std::clamp(1.5 - distance / scene_.spacing, 0.0, 1.0);
-    return near.friction > ratio ? ratio + touch * (near.friction - ratio)
-                                 : near.friction;
 }
 
 // stressMoment() puts A in the place of L
@@ -703,7 +651,6 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
     ledger.friction += sums.frictionEnergy;
     ledger.wallTension += sums.tension;
     ledger.artificial += (viscousPowerSum_ + dampingPower_) * dt;
-    ledger.plastic -= idlePower_ * dt;
 }
 
 namespace

@@ -112,10 +112,6 @@ PLANE = (
     plane(4, 1.9 * 4 ** (2 / 3), 1.9 * 4 ** (2 / 3),
           (0.65 * 4 ** 0.4, 4 ** (1 / 3))),
 )
-PLANE[0].findings = {"runout": (
-    "the rim beyond 1.55 d0 is one grain of the scheme thick and has one per cent of "
-    "the mass; 99 % of it are within a runout of 0.47. CFL and rounding move the end "
-    "of it by 4 %. Continua with mu(I) run further than experiments at small a.")}
 PLANE[1].negatives = {
     "internal friction of 0.4": ({"grains": {"muS": 0.4, "mu2": 0.4}}, "runout", 20)}
 
@@ -125,6 +121,10 @@ class Round(Plane):
 
     axes = ("r/r0", "h/r0")
     unit_time = 3.0
+    findings = {"runout": (
+        "less with refinement. The rim is thinner than half a spacing, where the "
+        "front is taken: at a = 0.9 (16 layers) and 0.55 (14 layers) 99.9 % of the "
+        "mass are within a runout of 1.08 and 0.64, where Lube has 1.12 and 0.68.")}
 
     def measure(self, layers, grains=None, solution=FLOWING):
         r0, dx = H / self.a, H / layers

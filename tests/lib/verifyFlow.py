@@ -45,10 +45,11 @@ class Bagnold(Verification):
     layers = (10, 20, 30)
     bounds = {"velocity": 0.05, "height": 0.05}
     findings = {"velocity": (
-        "grains at 28 degrees (I = 0.35) have a noisy pressure, by half of its value "
-        "from layer to layer, and noise takes strength: the upper half is too fast. "
-        "The lowest layer stands still instead of its lower face "
-        "(doc/theory.md, 9).")}
+        "the two lowest layers stand still instead of the lowest half of one, since "
+        "the ground holds the second, too, by its share of the normal force "
+        "(doc/theory.md, 9); above them the shear rate is right to 3 %. The error "
+        "falls with the spacing. Without the scheme for flowing grains half of the "
+        "height was gone after 14 s.")}
     axes = ("u/u_s", "z/H")
     degrees = 26
 

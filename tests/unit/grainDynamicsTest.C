@@ -10,9 +10,7 @@
 #include "sampleGrains.H"
 #include "sampleGround.H"
 
-#include <array>
 #include <map>
-#include <string>
 
 #include <omp.h>
 
@@ -34,7 +32,6 @@ public:
     std::vector<symmTensor> sigma; //!< by id
     mutable std::vector<tensor> L; //!< by id
     mutable int calls = 0;
-    double friction = 0; //!< yield stress over pressure
     const grainStore* grains = nullptr;
 
     givenStress(const elasticity& elastic) : granularRheology(elastic) {}
@@ -59,7 +56,6 @@ public:
     }
 
     double storedEnergy(const grainPoint&) const override { return 0; }
-    double yieldStress(double p) const override { return friction * p; }
 };
 
 
@@ -131,8 +127,6 @@ struct testScene
     std::vector<vector> x, U;
     std::vector<symmTensor> before, sigma;
     std::vector<double> mass, density;
-    std::string floor = "friction none;";
-    double yield = 0; //!< stress over pressure
 
     autoPtr<ground> bed;
     autoPtr<givenStress> stress;
@@ -203,10 +197,9 @@ struct testScene
         bed = groundOf(triangles);
         stress.reset(new givenStress(someElasticity()));
         stress->sigma = sigma;
-        stress->friction = yield;
         contact.reset(new groundContact(
             *bed,
-            dictOf(("zones { floor { " + floor + " } }").c_str()),
+            dictOf("zones { floor { friction none; } }"),
             dx,
             4 * dx,
             scene.dimensions == 2 ? scene.planeThickness : 0,
@@ -282,24 +275,12 @@ struct powers
 };
 
 
-//- The stress does no work in what the grains alone add to the gradient beside
-//  a plane (T 3.43); the ledger takes it out of the plastic work
-double idlePower(testScene& s)
-{
-    const double dt = 1e-9;
-    s.dynamics->kick(dt);
-    return -s.dynamics->ledger.plastic / dt;
-}
-
-
 void checkAdjoint(testScene& s, const bool ground)
 {
     s.rates();
     const powers p(s);
     CHECK(p.size > 0);
-    const double idle = idlePower(s);
-    CHECK((std::abs(idle) > 1e-13 * p.size) <= ground);
-    CHECK(std::abs(p.force + p.stress - idle) < 1e-13 * p.size);
+    CHECK(std::abs(p.force + p.stress) < 1e-13 * p.size);
     // pair forces add up to nothing, what is left is the ground's
     const vector wall = s.dynamics->wallForceSum();
     CHECK(mag(p.momentum - wall) < 1e-13 * p.forces);
@@ -503,8 +484,7 @@ TEST_CASE("grain dynamics: a tension that the ground drops is in the ledger")
     s.dynamics->kick(dt);
     const double dropped = s.dynamics->ledger.wallTension / dt;
     CHECK(std::abs(dropped) > 1e-3 * p.size);
-    const double idle = -s.dynamics->ledger.plastic / dt;
-    CHECK(std::abs(p.force + dropped + p.stress - idle) < 1e-6 * p.size);
+    CHECK(std::abs(p.force + dropped + p.stress) < 1e-6 * p.size);
 }
 
 
@@ -545,80 +525,6 @@ TEST_CASE("grain dynamics: linear field, exact gradient away from the ground")
         }
         CHECK(inside > 20);
     }
-}
-
-
-//- A lattice over a floor that slides along x under one stress for all, cyclic
-testScene slidingLayers(double pressure, double shear)
-{
-    testScene s(block(55, Zero, 0));
-    s.scene.cyclic.period = vector(1.0, 0.9, 0);
-    s.scene.g = Zero;
-    addFloor(s);
-    const std::size_t n = s.x.size();
-    s.U.assign(n, vector(1, 0, 0));
-    s.sigma.assign(n, symmTensor(-pressure, 0, shear, -pressure, 0, -pressure));
-    s.before = s.sigma;
-    s.density.assign(n, 1500);
-    s.mass.assign(n, 1500 * dx * dx * dx);
-    return s;
-}
-
-
-//- Largest change of the velocity along x in a kick, by layer, over what a
-//  layer would get from the shear stress on one of its sides
-std::array<double, 3> changesByLayer(testScene& s, double stress)
-{
-    s.rates();
-    const double dt = 1e-6;
-    s.dynamics->kick(dt);
-    const grainStore& g = s.dynamics->grains;
-    std::array<double, 3> largest = {};
-    for (int i = 0; i < g.size(); ++i)
-    {
-        const auto k = static_cast<std::size_t>(g.x[2][i] / dx);
-        if (k < largest.size())
-        {
-            const double dv = (g.U[0][i] - 1) / (dt * stress / (1500 * dx));
-            largest[k] = max(largest[k], std::abs(dv));
-        }
-    }
-    return largest;
-}
-
-
-TEST_CASE("grain dynamics: one shear stress is in balance with its friction")
-{
-    testScene s = slidingLayers(1000, 300);
-    s.floor = "friction Coulomb; mu 0.3;";
-    for (const double change : changesByLayer(s, 300))
-    {
-        CHECK(change < 0.02);
-    }
-    // and not with another
-    testScene other = slidingLayers(1000, 300);
-    other.floor = "friction Coulomb; mu 0.15;";
-    CHECK(changesByLayer(other, 300)[0] > 0.3);
-}
-
-
-TEST_CASE("grain dynamics: friction of a rough ground holds the lowest layer")
-{
-    // that passes on no shear stress: nothing on the second layer
-    testScene s = slidingLayers(1000, 0);
-    s.floor = "friction Coulomb; mu 2;";
-    const auto weak = changesByLayer(s, 1000);
-    CHECK(weak[0] > 1);
-    CHECK(weak[1] < 1e-6);
-    CHECK(weak[2] < 1e-6);
-
-    // and on one that bears it what its share of the normal force allows
-    testScene strong = slidingLayers(1000, 0);
-    strong.floor = "friction Coulomb; mu 2;";
-    strong.yield = 2;
-    const auto held = changesByLayer(strong, 1000);
-    CHECK(held[0] == Approx(weak[0]).epsilon(1e-10));
-    CHECK(held[1] > 0.1);
 }
 
 

@@ -52,8 +52,6 @@ public:
     {
         return at.mass * sqr(at.rho / rho0 - 1);
     }
-
-    double yieldStress(double) const override { return 0; }
 };
 
 //- A periodic box of grains under a pressure that shears along x

@@ -60,7 +60,6 @@ public:
         return {};
     }
     double storedEnergy(const grainPoint&) const override { return 0; }
-    double yieldStress(double) const override { return 0; }
 };
 
 //- A periodic box of grains and water

@@ -31,9 +31,6 @@ public:
         allowOnly(dict, valid);
     }
 
-    // what the ground holds of a grain that does not touch it: the stress that
-    // it passes on, at most (T 4.18)
-    scalar mu() const override { return 10; }
     bool resists() const override { return true; }
 
     groundTraction at(const groundPlace& place) const override
