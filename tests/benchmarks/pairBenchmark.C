@@ -400,7 +400,12 @@ struct lists
             T got[Pass::count];
             if constexpr (byRecords)
             {
-                loadRecords<Real, Pass::count>(records.data(), list + j, got);
+                std::int32_t at[lanesOf<Real>];
+                for (int k = 0; k < lanesOf<Real>; ++k)
+                {
+                    at[k] = list[j + k] * placesOfRecord<Real, Pass::count>;
+                }
+                loadRecords<Real, Pass::count>(records.data(), at, got);
             }
             const auto read = [&](int f)
             {
