@@ -170,13 +170,7 @@ void waterDynamics::divergence()
     }
     if (scheme_.seesPacking())
     {
-        fill_.resize(water.size());
-        lpf::resize(gradFill_, water.size());
-        p.fill = fill_.data();
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-            p.gradFill[c] = gradFill_[c].data();
-        }
+        takePacking(p);
     }
     p.divergence = water.rate.data();
     p.curl = water.curl.data();
@@ -467,6 +461,13 @@ void waterDynamics::accelerations()
     {
         artificialPower_ = sumOver(water.artificialPower(), water.size());
         viscousPower_ = sumOver(water.viscousPower(), water.size());
+    }
+    else
+    {
+        for (realArray& component : water.friction)
+        {
+            std::fill_n(component.data(), water.size(), 0.0);
+        }
     }
     if (viscous_)
     {

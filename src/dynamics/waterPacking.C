@@ -17,11 +17,26 @@ namespace lpf
 using lpfPairs::orderedSum;
 using lpfPairs::sumOf;
 
+void waterDynamics::takePacking(lpfPairs::waterContinuityPass& pass)
+{
+    if (keepsPacking())
+    {
+        fill_.resize(water.size());
+        lpf::resize(gradFill_, water.size());
+    }
+    realArrays<3>& gradient = keepsPacking() ? gradFill_ : water.friction;
+    pass.fill = (keepsPacking() ? fill_ : water.a[0]).data();
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+        pass.gradFill[c] = gradient[c].data();
+    }
+}
+
 //     S = sum V W + l(gam) + l(gam')                                (T 5.13)
 // gam' beyond the free surface
 waterDynamics::packing waterDynamics::packingAt(int i) const
 {
-    packing s = {0, 0, at(gradFill_, i)};
+    packing s = {0, 0, at(gradFill(), i)};
     scalar gam = 0;
     if (slot_[i] >= 0)
     {
@@ -30,9 +45,9 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
         gam = max(scalar(0), walls_[slot].share);
     }
     const scalar ratio =
-        scene_.h * mag(s.gradient) / max(fill_[i] + gam, SMALL);
+        scene_.h * mag(s.gradient) / max(fill()[i] + gam, SMALL);
     s.beyond = surface_.beyond(ratio);
-    s.S = fill_[i] + lpfPairs::latticeShare(gam)
+    s.S = fill()[i] + lpfPairs::latticeShare(gam)
         + lpfPairs::latticeShare(s.beyond); // (T 5.13)
     return s;
 }

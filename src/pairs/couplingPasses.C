@@ -44,7 +44,7 @@ void smoothAll(const smoothPass& p)
     std::copy_n(p.q, n, fields.of + 3);
     overPairs(
         p,
-        {p.home, p.others, p.h, p.x, p.y, p.z, p.X, p.Y, p.Z},
+        searchPass{p.home, p.others, p.h, p.x, p.y, p.z, p.X, p.Y, p.Z},
         fields,
         [&](auto& around, int i) { smoothAtParticle<n>(p, around, i); }
     );

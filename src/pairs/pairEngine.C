@@ -38,7 +38,7 @@ LPF_ONE_BODY void
 kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
 {
     using T = typename Around::T;
-    const Vec<T> v_i = own<typename Around::Real>(p.u, p.v, p.w, i);
+    const Vec<T> v_i = around.ownVector(i, velocity);
     Kinematics<T> total = {};
     [[maybe_unused]] Filling<T> filling = {};
 
@@ -109,11 +109,51 @@ LPF_INLINE Tensor<T> tensorOf(const T* fields)
     return {vectorOf(fields), vectorOf(fields + 3), vectorOf(fields + 6)};
 }
 
+//- What the pass has for all pairs, in all lanes
+template<class Real, class T = packOf<Real>>
+struct viscosityFactors
+{
+    T alphaHC, betaHC, hSqr, perThickness;
+
+    explicit viscosityFactors(const forcePass& p)
+        : alphaHC(own<Real>(p.alpha * p.h * p.soundSpeed)),
+          betaHC(own<Real>(p.beta * p.h * p.soundSpeed)),
+          hSqr(own<Real>(p.h * p.h)), perThickness(own<Real>(1 / p.thickness))
+    {
+    }
+};
+
+//- The particle itself in all lanes, made before the loop over its pairs
+template<viscosity kind, class T>
+struct grainHere
+{
+    Vec<T> v = {};
+    T rho = {};
+    Tensor<T> L = {};
+
+    template<class Around>
+    grainHere(const Around& around, int i)
+    {
+        if constexpr (kind != viscosity::none)
+        {
+            v = around.ownVector(i, flow);
+            rho = around.own(i, density);
+        }
+        if constexpr (kind == viscosity::noise)
+        {
+            L = {
+                around.ownVector(i, gradientL),
+                around.ownVector(i, gradientL + 3),
+                around.ownVector(i, gradientL + 6)};
+        }
+    }
+};
+
 //- Adds the viscous terms of one pack; power is what they take [W/kg]
 template<viscosity kind, class Real, class T = packOf<Real>>
 LPF_INLINE void addViscosity(
-    const forcePass& p,
-    int i,
+    const viscosityFactors<Real>& by,
+    const grainHere<kind, T>& here,
     const T* of,
     const Vec<T>& x_ij,
     const T& rSqr,
@@ -123,27 +163,17 @@ LPF_INLINE void addViscosity(
 )
 {
     const T half = constant<T>(0.5);
-    const Vec<T> v_ij = own<Real>(p.u, p.v, p.w, i) - vectorOf(of + flow);
-    const T rhoMean = half * (own<Real>(p.rho[i]) + of[density]);
-    const T hSqr = own<Real>(p.h * p.h);
-    const double hC = p.h * p.soundSpeed;
+    const Vec<T> v_ij = here.v - vectorOf(of + flow);
+    const T rhoMean = half * (here.rho + of[density]);
 
-    T Pi = artificialViscosity(
-        x_ij, v_ij, rSqr, own<Real>(p.alpha * hC), hSqr, rhoMean
-    );
+    T Pi = artificialViscosity(x_ij, v_ij, rSqr, by.alphaHC, by.hSqr, rhoMean);
     if constexpr (kind == viscosity::noise)
     {
-        const Tensor<T> L_i = {
-            own<Real>(p.L[0], p.L[1], p.L[2], i),
-            own<Real>(p.L[3], p.L[4], p.L[5], i),
-            own<Real>(p.L[6], p.L[7], p.L[8], i)};
         const Vec<T> w_ij =
-            v_ij - half * ((L_i + tensorOf(of + gradientL)) & x_ij);
-        Pi += noiseDamping(
-            x_ij, w_ij, rSqr, own<Real>(p.beta * hC), hSqr, rhoMean
-        );
+            v_ij - half * ((here.L + tensorOf(of + gradientL)) & x_ij);
+        Pi += noiseDamping(x_ij, w_ij, rSqr, by.betaHC, by.hSqr, rhoMean);
     }
-    const T mPiF = of[mass] * Pi * F * own<Real>(1 / p.thickness);
+    const T mPiF = of[mass] * Pi * F * by.perThickness;
 
     a += Vec<T>{-mPiF * x_ij.x, -mPiF * x_ij.y, -mPiF * x_ij.z};
     power += half * mPiF * (v_ij & x_ij);
@@ -152,7 +182,10 @@ LPF_INLINE void addViscosity(
 template<viscosity kind, class Around>
 LPF_ONE_BODY void forceOnParticle(const forcePass& p, Around& around, int i)
 {
+    using Real = typename Around::Real;
     using T = typename Around::T;
+    const viscosityFactors<Real> by(p);
+    const grainHere<kind, T> here(around, i);
     Force<T> total = {};
     Vec<T> a = {};
     T power = constant<T>(0);
@@ -165,9 +198,7 @@ LPF_ONE_BODY void forceOnParticle(const forcePass& p, Around& around, int i)
             addForce(total, T(of[volume] * F), x_ij, tensorOf(of + moment));
             if constexpr (kind != viscosity::none)
             {
-                addViscosity<kind, typename Around::Real>(
-                    p, i, of, x_ij, rSqr, F, a, power
-                );
+                addViscosity<kind, Real>(by, here, of, x_ij, rSqr, F, a, power);
             }
         }
     );
@@ -230,6 +261,15 @@ void anyForce(const forcePass& p)
     }
 }
 
+//- The value in a lane
+template<class T>
+LPF_INLINE auto lane(const T& a, int k)
+{
+    alignas(64) typename T::value_type values[T::size()];
+    a.copy_to(values, stdx::vector_aligned);
+    return values[k];
+}
+
 //- A squared distance that nobody sees; above itself when rounded to float
 constexpr double farAway = 1e30;
 
@@ -254,21 +294,21 @@ struct nearestLanes
         stdx::where(nearer, normal.z) = n.z;
     }
 
-    void store(wallRecord& to) const
+    LPF_INLINE void store(wallRecord& to) const
     {
         to.nearestSqr = farAway;
         to.distance = farAway;
         to.normal[0] = to.normal[1] = to.normal[2] = 0;
-        for (std::size_t k = 0; k < T::size(); ++k)
+        const auto least = stdx::hmin(rSqr);
+        if (least < farAway)
         {
-            if (rSqr[k] < to.nearestSqr)
-            {
-                to.nearestSqr = rSqr[k];
-                to.distance = distance[k];
-                to.normal[0] = normal.x[k];
-                to.normal[1] = normal.y[k];
-                to.normal[2] = normal.z[k];
-            }
+            // the first lane of several
+            const int k = stdx::find_first_set(rSqr == T(least));
+            to.nearestSqr = least;
+            to.distance = lane(distance, k);
+            to.normal[0] = lane(normal.x, k);
+            to.normal[1] = lane(normal.y, k);
+            to.normal[2] = lane(normal.z, k);
         }
     }
 };

@@ -25,8 +25,8 @@ enum viscousField
 template<class Around>
 LPF_ONE_BODY void viscousForceOn(const viscousPass& p, Around& around, int i)
 {
-    const Vec<T> u_i = own<double>(p.u[0], p.u[1], p.u[2], i);
-    const T eta_i(p.eta[i]), weight(p.weight);
+    const Vec<T> u_i = around.ownVector(i, velocity);
+    const T eta_i = around.own(i, viscosity), weight(p.weight);
     Vec<T> total = {};
 
     around.each(

@@ -37,26 +37,26 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
-    const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
+    const Vec<T> v_i = around.ownVector(i, velocity);
     // differences of density from what both are near to
-    const T rho_i = own<Real>(p.rho[i] - p.rho0), rho0(Real(0));
+    const T rho_i = around.own(i, density), rho0(Real(0));
     const double* H = p.hydrostatic;
     const Vec<T> hydrostatic = own<Real>(H, H + 1, H + 2, 0);
     Continuity<T> total = {};
     Filling<T> filling = {};
     SymmTensor<T> strain = {};
+    const T scale = own<Real>(p.scale);
     [[maybe_unused]] Vec<T> U_i = {};
     if constexpr (withStrain)
     {
-        U_i = own<Real>(p.U[0], p.U[1], p.U[2], i);
+        U_i = around.ownVector(i, ownVelocity);
     }
 
     around.each(
         i,
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
-            const T VF =
-                own<Real>(p.scale) * of[volume] * around.W.gradByDistance(rSqr);
+            const T VF = scale * of[volume] * around.W.gradByDistance(rSqr);
             if constexpr (withFill)
             {
                 addFilling(
@@ -137,11 +137,42 @@ struct lostPower
     T artificial = constant<T>(0), viscous = constant<T>(0);
 };
 
+//- The particle itself in all lanes, made before the loop over its pairs
+template<class T>
+struct waterHere
+{
+    T P;
+    Vec<T> v;
+    T rho, balsara, eta;
+
+    template<class Around>
+    waterHere(const Around& around, int i)
+        : P(around.own(i, pressure)), v(around.ownVector(i, velocity)),
+          rho(around.own(i, density)),
+          balsara(around.own(i, lpfPairs::balsara)),
+          eta(around.own(i, viscousEta))
+    {
+    }
+};
+
+//- What the pass has for all pairs, in all lanes
+template<class Real, class T = packOf<Real>>
+struct waterForceFactors
+{
+    T alphaHC, hSqr, perThickness, dimensionsPlus2;
+
+    explicit waterForceFactors(const waterForcePass& p)
+        : alphaHC(own<Real>(p.alpha * p.h * p.soundSpeed)),
+          hSqr(own<Real>(p.h * p.h)), perThickness(own<Real>(1 / p.thickness)),
+          dimensionsPlus2(own<Real>(p.dimensions + 2.0))
+    {
+    }
+};
+
 //- What both kinds of friction need of a pair
 template<class T>
 struct pairOfWater
 {
-    int i;
     const T* of; //!< fields of j
     Vec<T> x, v; //!< differences
     T rSqr, F;
@@ -149,31 +180,28 @@ struct pairOfWater
 
 template<class Real, class T>
 LPF_INLINE void addArtificial(
-    const waterForcePass& p,
+    const waterForceFactors<Real>& by,
+    const waterHere<T>& here,
     const pairOfWater<T>& ij,
     Vec<T>& perMass,
     lostPower<T>& lost
 )
 {
     const T half = constant<T>(0.5);
-    const T rhoMean = half * (own<Real>(p.rho[ij.i]) + ij.of[density]);
-    const T f = half * (own<Real>(p.balsara[ij.i]) + ij.of[balsara]);
+    const T rhoMean = half * (here.rho + ij.of[density]);
+    const T f = half * (here.balsara + ij.of[balsara]);
     const T Pi = artificialViscosity(
-        ij.x,
-        ij.v,
-        ij.rSqr,
-        T(f * own<Real>(p.alpha * p.h * p.soundSpeed)),
-        own<Real>(p.h * p.h),
-        rhoMean
+        ij.x, ij.v, ij.rSqr, T(f * by.alphaHC), by.hSqr, rhoMean
     );
-    const T mPiF = ij.of[mass] * Pi * ij.F * own<Real>(1 / p.thickness);
+    const T mPiF = ij.of[mass] * Pi * ij.F * by.perThickness;
     perMass += -mPiF * ij.x;
     lost.artificial += half * mPiF * (ij.v & ij.x);
 }
 
 template<class Real, class T>
 LPF_INLINE void addViscous(
-    const waterForcePass& p,
+    const waterForceFactors<Real>& by,
+    const waterHere<T>& here,
     const pairOfWater<T>& ij,
     Vec<T>& perVolume,
     lostPower<T>& lost
@@ -181,12 +209,12 @@ LPF_INLINE void addViscous(
 {
     const T factor = viscousFactor(
         T(ij.of[volume] * ij.F),
-        T(own<Real>(p.eta[ij.i]) + ij.of[viscousEta]),
-        own<Real>(p.dimensions + 2.0),
+        T(here.eta + ij.of[viscousEta]),
+        by.dimensionsPlus2,
         ij.x,
         ij.v,
         ij.rSqr,
-        own<Real>(p.h * p.h)
+        by.hSqr
     );
     perVolume += factor * ij.x;
     lost.viscous += constant<T>(-0.5) * factor * (ij.v & ij.x);
@@ -197,7 +225,9 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
 {
     using Real = typename Around::Real;
     using T = typename Around::T;
-    const T P_i = own<Real>(p.P[i]);
+    const waterHere<T> here(around, i);
+    const waterForceFactors<Real> by(p);
+    const T scale = own<Real>(p.scale);
     Vec<T> total = {}, perMass = {}, perVolume = {};
     lostPower<T> lost;
 
@@ -206,20 +236,19 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             const T F = around.W.gradByDistance(rSqr);
-            const T VF = own<Real>(p.scale) * of[volume] * F;
-            addPressureForce(total, VF, P_i, of[pressure], x_ij);
+            const T VF = scale * of[volume] * F;
+            addPressureForce(total, VF, here.P, of[pressure], x_ij);
             if constexpr (kind != friction::none)
             {
-                const Vec<T> v_i = own<Real>(p.u, p.v, p.w, i);
                 const pairOfWater<T> ij = {
-                    i, of, x_ij, v_i - vectorOf(of + velocity), rSqr, F};
+                    of, x_ij, here.v - vectorOf(of + velocity), rSqr, F};
                 if constexpr (hasArtificial(kind))
                 {
-                    addArtificial<Real>(p, ij, perMass, lost);
+                    addArtificial<Real>(by, here, ij, perMass, lost);
                 }
                 if constexpr (hasViscous(kind))
                 {
-                    addViscous<Real>(p, ij, perVolume, lost);
+                    addViscous<Real>(by, here, ij, perVolume, lost);
                 }
             }
         }

@@ -353,9 +353,56 @@ struct lists
     neighbourTable table;
     mutable std::vector<Real> records;
 
+    //- The list of a particle, in the numbers of its stretch
+    struct entry
+    {
+        std::size_t stretch, begin;
+        int count;
+    };
+    std::vector<entry> of_;
+    std::vector<std::vector<std::int32_t>> numbers_;
+
     explicit lists(const cloud& theCloud) : c(theCloud)
     {
         records.resize(static_cast<std::size_t>(c.n + 1) * fields);
+        of_.resize(static_cast<std::size_t>(c.n));
+    }
+
+    //- From the bits of the search, with whole packs of nobody behind each
+    void keepLists()
+    {
+        numbers_.resize(table.stretches.size());
+        forStretches(
+            table,
+            [&](const neighbourTable::stretch& s, std::size_t k)
+            {
+                std::vector<std::int32_t>& numbers = numbers_[k];
+                numbers.clear();
+                cellLists<1> here(c.n);
+                forSearched(
+                    table,
+                    s,
+                    [&](int begin,
+                        int end,
+                        const runs& around,
+                        const candidateBits* bits)
+                    {
+                        here.enter(around, begin, bits);
+                        for (int i = begin; i < end; ++i)
+                        {
+                            const int count = here.make(i);
+                            of_[static_cast<std::size_t>(i)] = {
+                                k, numbers.size(), count};
+                            numbers.insert(
+                                numbers.end(),
+                                here.list(),
+                                here.list() + count + bitsAtOnce
+                            );
+                        }
+                    }
+                );
+            }
+        );
     }
 
     double find()
@@ -366,6 +413,7 @@ struct lists
             {c.grid, c.grid, h * (1 + 0.01 * percentSkin), x, y, z, x, y, z},
             &table
         );
+        keepLists();
         return now() - begin;
     }
 
@@ -394,13 +442,19 @@ struct lists
         {
             pass.own[k] = T(c.get<Real>(k)[i]);
         }
-        const auto [list, count] = table.of[i];
+        const auto [stretch, begin, count] = of_[static_cast<std::size_t>(i)];
+        const std::int32_t* const list = numbers_[stretch].data() + begin;
         for (int j = 0; j < count; j += lanesOf<Real>)
         {
             T got[Pass::count];
             if constexpr (byRecords)
             {
-                loadRecords<Real, Pass::count>(records.data(), list + j, got);
+                std::int32_t at[lanesOf<Real>];
+                for (int k = 0; k < lanesOf<Real>; ++k)
+                {
+                    at[k] = list[j + k] * placesOfRecord<Real, Pass::count>;
+                }
+                loadRecords<Real, Pass::count>(records.data(), at, got);
             }
             const auto read = [&](int f)
             {
@@ -682,7 +736,7 @@ void compare(const cloud& coarse, const cloud& fine, int repeats)
         measure<Real>(skin10, coarse, t[7]);
     }
     double pairs = 0;
-    for (const auto& entry : byRecords.table.of)
+    for (const auto& entry : byRecords.of_)
     {
         pairs += entry.count;
     }
