@@ -56,6 +56,7 @@ struct body
             bed,
             dictOf("zones { floor { friction none; } }"),
             dx,
+            4 * dx,
             0,
             vector(0, 1, 0)
         ),

@@ -61,6 +61,7 @@ struct stressBox
               *bed,
               dictOf("zones { floor { friction none; } }"),
               dx,
+              4 * dx,
               0,
               vector(0, 1, 0)
           )

@@ -44,6 +44,7 @@ struct waveBox
             *bed,
             dictOf("zones { floor { friction none; } }"),
             dx,
+            4 * dx,
             0,
             vector(0, 1, 0)
         ),
