@@ -161,6 +161,7 @@ TEST_CASE("stress diffusion: a linear stress stays, whatever way it goes")
         return s;
     };
     b.setStress(linear);
+    before.reserve(std::size_t(b.grains().size()));
     for (int i = 0; i < b.grains().size(); ++i)
     {
         before.push_back(b.stressOf(i));
@@ -180,6 +181,7 @@ TEST_CASE("stress diffusion: a linear stress stays, whatever way it goes")
     b.setStress([&](int i)
                 { return linear(i) + 100 * symm(random.anyTensor(1)); });
     before.clear();
+    before.reserve(std::size_t(b.grains().size()));
     for (int i = 0; i < b.grains().size(); ++i)
     {
         before.push_back(b.stressOf(i));
@@ -208,6 +210,7 @@ TEST_CASE("stress diffusion: a checkerboard goes at the rate of theory.md")
     const symmTensor part(-200, 70, 30, -100, 50, -60);
     b.setStress([&](int i) { return mean + sign(i) * part; });
     std::vector<symmTensor> before;
+    before.reserve(std::size_t(b.grains().size()));
     for (int i = 0; i < b.grains().size(); ++i)
     {
         before.push_back(b.stressOf(i) - mean);
