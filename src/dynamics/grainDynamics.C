@@ -80,36 +80,17 @@ void grainDynamics::volumes()
 
 lpfPairs::kinematicsPass grainDynamics::kinematicsPass() const
 {
-    lpfPairs::kinematicsPass p = {};
-    p.pairs = pairs_.get();
-    p.single = scene_.single;
-    p.cells = cells_.grid;
-    p.h = scene_.h;
-    p.dimensions = scene_.dimensions;
-    p.x = grains.x[0].data();
-    p.y = grains.x[1].data();
-    p.z = grains.x[2].data();
+    auto p = overPairs<lpfPairs::kinematicsPass>();
     p.u = grains.U[0].data();
     p.v = grains.U[1].data();
     p.w = grains.U[2].data();
-    p.V = grains.V.data();
     return p;
 }
 
 lpfPairs::forcePass grainDynamics::forcePass()
 {
-    const lpfPairs::kinematicsPass k = kinematicsPass();
-    lpfPairs::forcePass p = {};
-    p.pairs = k.pairs;
-    p.single = k.single;
-    p.cells = k.cells;
-    p.h = k.h;
-    p.dimensions = k.dimensions;
+    auto p = overPairs<lpfPairs::forcePass>();
     p.thickness = scene_.planeThickness;
-    p.x = k.x;
-    p.y = k.y;
-    p.z = k.z;
-    p.V = k.V;
     p.m = grains.mass.data();
     for (std::size_t c = 0; c < 9; ++c)
     {
@@ -125,9 +106,9 @@ lpfPairs::forcePass grainDynamics::forcePass()
     {
         viscousPower_.resize(grains.size());
         p.soundSpeed = rheology_.elastic().c();
-        p.u = k.u;
-        p.v = k.v;
-        p.w = k.w;
+        p.u = grains.U[0].data();
+        p.v = grains.U[1].data();
+        p.w = grains.U[2].data();
         p.rho = grains.rho.data();
         p.viscousPower = viscousPower_.data();
     }

@@ -32,17 +32,7 @@ void grainDynamics::gatherGradient()
     lpf::resize(jumps_, n);
     takesPart_.resize(n);
 
-    const lpfPairs::kinematicsPass k = kinematicsPass();
-    lpfPairs::stressGradientPass p = {};
-    p.pairs = k.pairs;
-    p.single = k.single;
-    p.cells = k.cells;
-    p.h = k.h;
-    p.dimensions = k.dimensions;
-    p.x = k.x;
-    p.y = k.y;
-    p.z = k.z;
-    p.V = k.V;
+    auto p = overPairs<lpfPairs::stressGradientPass>();
     for (std::size_t c = 0; c < parts; ++c)
     {
         p.sigma[c] = grains.sigma[c].data();
@@ -107,16 +97,7 @@ void grainDynamics::diffuseStress(scalar dt)
     gatherGradient();
     lpfPairs::forEach(n, [&](int i) { takeGradient(i); });
 
-    const lpfPairs::kinematicsPass k = kinematicsPass();
-    lpfPairs::stressDiffusionPass p = {};
-    p.pairs = k.pairs;
-    p.single = k.single;
-    p.cells = k.cells;
-    p.h = k.h;
-    p.dimensions = k.dimensions;
-    p.x = k.x;
-    p.y = k.y;
-    p.z = k.z;
+    auto p = overPairs<lpfPairs::stressDiffusionPass>();
     p.V = takesPart_.data();
     for (std::size_t c = 0; c < parts; ++c)
     {

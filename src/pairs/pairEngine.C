@@ -342,15 +342,6 @@ enum class wallSums
     withShare3  //!< in three
 };
 
-//- Fields of the records of surface elements
-enum elementField
-{
-    normal = 3,
-    area = 6,
-    friction = 7,
-    screen = 8
-};
-
 template<wallSums kind, int layers, bool screened, class Around>
 LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
 {
@@ -394,13 +385,7 @@ LPF_ONE_BODY void wallOfParticle(const wallPass& p, Around& around, int i)
 template<wallSums kind, int layers, bool screened>
 void wallOf(const wallPass& p)
 {
-    recordFields<screened ? 12 : 8> fields = {
-        {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area, p.mu}};
-    if constexpr (screened)
-    {
-        std::copy_n(p.screens.n, 3, fields.of + screen);
-        fields.of[screen + 3] = p.screens.height;
-    }
+    auto fields = elementFields<screened>(p, p.mu);
     fields.version = p.version; // most steps find the elements as they were
     overPairs(
         p,

@@ -45,14 +45,6 @@ LPF_ONE_BODY void viscousForceOn(const viscousPass& p, Around& around, int i)
     store(total, p.force, i);
 }
 
-//- Fields of the records of elements
-enum elementField
-{
-    normal = 3,
-    area = 6,
-    screen = 8
-};
-
 template<int layers, bool screened, class Around>
 LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
 {
@@ -109,13 +101,7 @@ template<bool screened>
 void stick(const stickPass& p)
 {
     constexpr int layers = 3;
-    recordFields<screened ? 12 : 8> fields = {
-        {p.ex, p.ey, p.ez, p.nx, p.ny, p.nz, p.area}};
-    if constexpr (screened)
-    {
-        std::copy_n(p.screens.n, 3, fields.of + screen);
-        fields.of[screen + 3] = p.screens.height;
-    }
+    const auto fields = elementFields<screened>(p, nullptr);
     overPairsIn<double>(
         p,
         elementsOf(p),
