@@ -538,6 +538,7 @@ void caseRun::readWaterScheme(const dictionary& dict)
          "densityDiffusion",
          "densityRelaxation",
          "shifting",
+         "groundLag",
          "viscosityIntegration"}
     );
     viscosityIntegration_ = readChoice(
@@ -582,6 +583,20 @@ void caseRun::readWaterScheme(const dictionary& dict)
                    "above 10 a step takes them too far; write 0 or 3";
     waterScheme_.shifting =
         readNumber(dict, "shifting", dimless, shift, waterScheme_.shifting);
+    bounds lag;
+    lag.lower = 0;
+    lag.upper = 1000;
+    lag.reason = "times h/c0 after which the density of water that came to the "
+                 "ground follows its packing; above 1000 it hardly does; write "
+                 "10, or 0 for never";
+    // particles that are shifted leave their packing behind anyway
+    waterScheme_.groundLag = readNumber(
+        dict,
+        "groundLag",
+        dimless,
+        lag,
+        waterScheme_.shifting > 0 ? 0 : waterScheme_.groundLag
+    );
 }
 
 void caseRun::readStop(const dictionary& stop)
@@ -902,7 +917,8 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << waterScheme_.artificialViscosity << ", density diffusion "
              << waterScheme_.densityDiffusion << ", density relaxation "
              << waterScheme_.densityRelaxation << ", shifting "
-             << waterScheme_.shifting << ", CFL " << waterScheme_.CFL << nl;
+             << waterScheme_.shifting << ", ground lag "
+             << waterScheme_.groundLag << ", CFL " << waterScheme_.CFL << nl;
     }
     if (flow_.coupling)
     {

@@ -71,7 +71,7 @@ waterDynamics::waterDynamics(
       resistance_(
           groundResistance::forPhase(contact, scene_, &groundZone::water)
       ),
-      water(withGrains)
+      water(withGrains, scheme.groundLag > 0)
 {
     const bool byRate = viscosity.needsShearRate();
     if (viscosity.largest() > 0
@@ -147,20 +147,11 @@ void waterDynamics::divergence()
     const passTimes::timed pass(times, "continuity");
     volumes();
 
-    lpfPairs::waterContinuityPass p = {};
-    p.pairs = pairs_.get();
-    p.single = scene_.single;
-    p.cells = cells_.grid;
-    p.h = scene_.h;
-    p.dimensions = scene_.dimensions;
-    p.x = water.x[0].data();
-    p.y = water.x[1].data();
-    p.z = water.x[2].data();
+    auto p = overPairs<lpfPairs::waterContinuityPass>();
     const realArrays<3>& flux = volumeFlux();
     p.u = flux[0].data();
     p.v = flux[1].data();
     p.w = flux[2].data();
-    p.V = water.V.data();
     p.rho = water.rho.data();
     p.scale = gradientScale_;
     p.rho0 = state_.rho0();
@@ -252,6 +243,41 @@ void waterDynamics::addGround()
     );
 }
 
+// Relative rate at which the density is brought back to the packing [1/s]
+scalar waterDynamics::slowRate(int i)
+{
+    const scalar atGround = keepsLag() ? water.lag[i] / lagTime() : 0;
+    return atGround + (scheme_.densityRelaxation > 0 ? drawnBack(i) : 0);
+}
+
+scalar waterDynamics::lagTime() const
+{
+    return scheme_.groundLag * scene_.h / state_.c0();
+}
+
+// The image of the ground doubles what the ground does to the density. That is
+// right for what comes and goes; of what has come to stay half is taken back:
+//     de/dt = w - e/tau,  w = q.sum_q A E n/theta,
+//     rho <- rho (1 + dt e/tau),  tau = N h/c0                      (T 5.24)
+void waterDynamics::advanceLag(scalar dt)
+{
+    const scalar tau = lagTime(), half = 0.5 * dt / tau;
+    lpfPairs::forEach(
+        water.size(),
+        [&](int i)
+        {
+            scalar w = 0;
+            if (slot_[i] >= 0)
+            {
+                const auto slot = static_cast<std::size_t>(slot_[i]);
+                w = at(volumeFlux(), i) & toVector(near_[slot].areaNormal);
+                w /= withGrains_ ? water.theta[i] : 1;
+            }
+            water.lag[i] = (water.lag[i] * (1 - half) + dt * w) / (1 + half);
+        }
+    );
+}
+
 // rho <- rho (1 - dt r/2)/(1 + dt r/2) + dt delta h c0 diffusion    (T 5.11)
 waterDynamics::densities waterDynamics::densityAfter(int i, scalar dt)
 {
@@ -260,8 +286,7 @@ waterDynamics::densities waterDynamics::densityAfter(int i, scalar dt)
     const scalar lowest = lowestDensity * state_.rho0();
     const scalar half = 0.5 * dt * water.rate[i];
     const scalar rho = max(lowest, water.rho[i] * (1 - half) / (1 + half));
-    const scalar relaxed =
-        scheme_.densityRelaxation > 0 ? rho * (1 + dt * drawnBack(i)) : rho;
+    const scalar relaxed = rho * (1 + dt * slowRate(i));
     return {rho, max(lowest, relaxed + dt * diffusivity * water.diffusion[i])};
 }
 
@@ -274,9 +299,7 @@ void waterDynamics::keepDensityRate()
         water.size(),
         [&](int i)
         {
-            const scalar back =
-                scheme_.densityRelaxation > 0 ? drawnBack(i) : 0;
-            water.rhoStart[i] = water.rate[i] - back
+            water.rhoStart[i] = water.rate[i] - slowRate(i)
                               - diffusivity * water.diffusion[i] / water.rho[i];
         }
     );
@@ -309,6 +332,10 @@ void waterDynamics::correct(scalar dt, stage where)
         );
     }
     advanceDensity(dt);
+    if (keepsLag())
+    {
+        advanceLag(dt);
+    }
     if (where == stage::middle)
     {
         std::swap(water.rho, water.rhoStart);
@@ -319,7 +346,9 @@ void waterDynamics::correct(scalar dt, stage where)
     water.p.pad(n, 0);
 }
 
-// And Balsara's switch from div and curl,
+// What changes the density besides the flow is booked half before and half
+// after it, as the forces before and after see it. And Balsara's switch from
+// div and curl,
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
 void waterDynamics::advanceDensity(scalar dt)
 {
@@ -330,12 +359,16 @@ void waterDynamics::advanceDensity(scalar dt)
             [&](int i)
             {
                 const scalar div = mag(water.rate[i]);
+                const scalar before = water.rho[i];
                 const densities rho = densityAfter(i, dt);
+                const scalar flow = rho.moved / before;
+                const scalar half = before + 0.5 * (rho.end - rho.moved);
                 water.rho[i] = rho.end;
                 water.curl[i] = div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
-                    * (state_.energy(rho.moved) - state_.energy(rho.end))};
+                    * (state_.energy(before) - state_.energy(half)
+                       + state_.energy(half * flow) - state_.energy(rho.end))};
             }
         ).value;
 }
@@ -359,18 +392,9 @@ void waterDynamics::viscosityOfMixture()
 
 lpfPairs::waterForcePass waterDynamics::forcePass()
 {
-    lpfPairs::waterForcePass p = {};
-    p.pairs = pairs_.get();
-    p.single = scene_.single;
-    p.cells = cells_.grid;
-    p.h = scene_.h;
-    p.dimensions = scene_.dimensions;
+    auto p = overPairs<lpfPairs::waterForcePass>();
     p.thickness = scene_.planeThickness;
     p.scale = gradientScale_;
-    p.x = water.x[0].data();
-    p.y = water.x[1].data();
-    p.z = water.x[2].data();
-    p.V = water.V.data();
     p.m = water.mass.data();
     p.P = water.p.data();
     p.ax = water.a[0].data();

@@ -14,6 +14,10 @@ void waterStore::resize(int n)
         f->resize(n);
     }
     lpf::resize(friction, n);
+    if (withLag_)
+    {
+        lag.resize(n);
+    }
     if (withGrains_)
     {
         theta.resize(n);
@@ -31,7 +35,7 @@ std::size_t waterStore::bytes() const
 {
     return particleStore::bytes() + 5 * rho.bytes() + lpf::bytes(friction)
          + theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
-         + lpf::bytes(drag) + rhoStart.bytes();
+         + lpf::bytes(drag) + rhoStart.bytes() + lag.bytes();
 }
 
 void waterStore::permute(const indexArray& order)
@@ -39,6 +43,10 @@ void waterStore::permute(const indexArray& order)
     particleStore::permute(order);
     permute(rho, order);
     permute(p, order);
+    if (withLag_)
+    {
+        permute(lag, order);
+    }
     if (withGrains_)
     {
         permute(theta, order);
@@ -59,6 +67,10 @@ void waterStore::fromCloud(const cloudState& cloud)
         p[i] = cloud.scalars["p"][i];
         rho[i] = continued ? cloud.scalars["rho"][i] : 0;
     }
+    for (int i = 0; withLag_ && i < size_; ++i)
+    {
+        lag[i] = cloud.scalars.found("lag") ? cloud.scalars["lag"][i] : 0;
+    }
 }
 
 cloudState waterStore::toCloud(scalar rho0, scalar h) const
@@ -78,6 +90,10 @@ cloudState waterStore::toCloud(scalar rho0, scalar h) const
     cloud.scalars.set("rho", density);
     cloud.scalars.set("p", pressure);
     cloud.scalars.set("S", S);
+    if (withLag_)
+    {
+        cloud.scalars.set("lag", toField(lag, size_));
+    }
     if (withGrains_)
     {
         for (int i = 0; i < size_; ++i)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water that is moved to where there is room (T 5.23): the packing evens out,
-// a lattice and shallow water stay, and the work is booked.
+// a lattice and shallow water stay, and the work is booked. Water that comes to
+// the ground (T 5.24): at first by twice what the ground takes of its kernel,
+// in the end by once.
 
 #include <catch2/catch.hpp>
 
@@ -21,34 +23,46 @@ constexpr double dx = 0.1, h = 1.3 * dx, rho0 = 1000, c0 = 20;
 constexpr int cells = 8;
 constexpr double period = cells * dx;
 
-//- A periodic box of water under the pressure head [m], at rest
+waterScheme plainScheme()
+{
+    waterScheme scheme;
+    scheme.artificialViscosity = scheme.densityDiffusion = 0;
+    scheme.densityRelaxation = 0;
+    return scheme;
+}
+
+waterScheme shiftingScheme()
+{
+    waterScheme scheme = plainScheme();
+    scheme.shifting = 3;
+    return scheme;
+}
+
+//- A periodic box with room for water
 struct waterBox
 {
     sceneProperties scene = periodicScene(dx, h, period, vector(0, 0, -9.81));
-    autoPtr<ground> bed = groundFarAway();
+    autoPtr<ground> bed;
     groundContact contact;
     autoPtr<equationOfState> state;
     autoPtr<viscosityModel> viscosity;
     std::unique_ptr<waterDynamics> water;
 
-    waterBox(double jitter, double head, scalar shifting)
-        : contact(
-            *bed,
-            dictOf("zones { floor { friction none; } }"),
-            dx,
-            4 * dx,
-            0,
-            vector(0, 1, 0)
-        ),
+    waterBox(autoPtr<ground> theGround, const waterScheme& scheme)
+        : bed(std::move(theGround)), contact(
+                                         *bed,
+                                         dictOf("zones { floor { friction "
+                                                "none; } }"),
+                                         dx,
+                                         4 * dx,
+                                         0,
+                                         vector(0, 1, 0)
+                                     ),
           state(equationOfState::New(
               dictOf("rho 1000; TaitCoeffs { soundSpeed 20; }"), {}
           )),
           viscosity(viscosityModel::New(dictOf("NewtonianCoeffs { mu 0; }")))
     {
-        waterScheme scheme;
-        scheme.artificialViscosity = scheme.densityDiffusion = 0;
-        scheme.densityRelaxation = 0;
-        scheme.shifting = shifting;
         water.reset(new waterDynamics(
             lpfPairs::loadPairEngine("auto"),
             scene,
@@ -57,9 +71,19 @@ struct waterBox
             *viscosity,
             contact
         ));
+    }
+
+    //- Full of water under the pressure head [m], at rest, to be shifted
+    waterBox(double jitter, double head)
+        : waterBox(groundFarAway(), shiftingScheme())
+    {
         randomNumbers random(11);
-        const std::vector<vector> x =
-            jitteredLattice(random, Zero, {cells, cells, cells}, dx, jitter);
+        put(jitteredLattice(random, Zero, {cells, cells, cells}, dx, jitter),
+            rho0 * (1 + 9.81 * head / sqr(c0)));
+    }
+
+    void put(const std::vector<vector>& x, double density)
+    {
         waterStore& w = water->water;
         w.resize(int(x.size()));
         for (int i = 0; i < w.size(); ++i)
@@ -67,7 +91,7 @@ struct waterBox
             set(w.x, i, x[std::size_t(i)]);
             w.mass[i] = rho0 * dx * dx * dx;
             w.id[i] = i;
-            w.rho[i] = rho0 * (1 + 9.81 * head / sqr(c0));
+            w.rho[i] = density;
         }
     }
 
@@ -114,7 +138,7 @@ struct waterBox
 
 TEST_CASE("shifting: evens the packing out, and books its work")
 {
-    waterBox b(0.2 * dx, 5, 3);
+    waterBox b(0.2 * dx, 5);
     b.water->rates(0, 0);
     b.water->ledger.initial = b.water->energy();
     const double before = b.unevenness();
@@ -135,7 +159,7 @@ TEST_CASE("shifting: nothing in a lattice, and nothing under a low head")
 {
     for (const bool jittered : {false, true})
     {
-        waterBox b(jittered ? 0.2 * dx : 0, jittered ? 0.9 * h : 5, 3);
+        waterBox b(jittered ? 0.2 * dx : 0, jittered ? 0.9 * h : 5);
         b.water->rates(0, 0);
         realArrays<3> x;
         const waterStore& w = b.water->water;
@@ -152,4 +176,59 @@ TEST_CASE("shifting: nothing in a lattice, and nothing under a low head")
         }
         CHECK(moved < 1e-12 * dx);
     }
+}
+
+
+namespace
+{
+
+autoPtr<ground> floorOfTheBox()
+{
+    const scalar a = -period, b = 2 * period;
+    const vector corner[4] = {
+        vector(a, a, 0), vector(b, a, 0), vector(b, b, 0), vector(a, b, 0)};
+    List<corners> triangles(2);
+    triangles[0] = {corner[0], corner[1], corner[2]};
+    triangles[1] = {corner[0], corner[2], corner[3]};
+    return groundOf(triangles);
+}
+
+//- By how much the logarithm of the density of one particle has grown after it
+//  came to the ground in `coming` [s] and stood there for `standing`
+double growth(scalar groundLag, scalar coming, scalar standing)
+{
+    waterScheme scheme = plainScheme();
+    scheme.groundLag = groundLag;
+    waterBox b(floorOfTheBox(), scheme);
+    b.put({vector(0.5 * period, 0.5 * period, 2.7 * dx)}, rho0);
+    waterStore& w = b.water->water;
+    const scalar dt = coming / 400;
+    const int steps = int(std::lround((coming + standing) / dt));
+    for (int k = 0; k < steps; ++k)
+    {
+        const bool comes = k < 400;
+        set(w.U, 0, vector(0, 0, comes ? -2.2 * dx / coming : 0));
+        b.water->rates(dt, 0);
+        b.water->drift(dt, 0);
+    }
+    CHECK(w.x[2][0] == Approx(0.5 * dx));
+    return std::log(w.rho[0] / rho0);
+}
+
+} // namespace
+
+
+TEST_CASE("water that comes to the ground: its density in the end is that of "
+          "its place")
+{
+    const scalar h_c0 = h / c0;
+    const double image = growth(0, 40 * h_c0, 0);
+    // half of it is what the ground takes of the kernel: at half a spacing
+    // 0.234 by the integral, for which (T 4.1) has layers
+    CHECK(0.5 * image == Approx(0.234).margin(0.02));
+    const double later = growth(10, 40 * h_c0, 200 * h_c0);
+    const double atOnce = growth(1000, 4 * h_c0, 0);
+    INFO("image " << image << ", later " << later << ", at once " << atOnce);
+    CHECK(later == Approx(0.5 * image).epsilon(0.01));
+    CHECK(atOnce == Approx(image).epsilon(0.01));
 }
