@@ -18,6 +18,7 @@ Foam::string Foam::lpf::unitsOf(const word& field)
         {"I", "1"},
         {"rho", "kg/m3"},
         {"rhoRef", "kg/m3"},
+        {"lag", "1"},
         {"a", "m/s2"},
         {"drag", "m/s2"},
         {"S", "1"},

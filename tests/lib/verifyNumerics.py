@@ -131,10 +131,6 @@ class EnergyWater(Energy):
     name = "energy.water"
     high = 8  # a drop of the splash flies above 5 H
     findings = {
-        "rise": (
-            "the two terms of (T 5.12) without adjoint, pressure with depth behind "
-            "the ground and along it, do work on water that falls along the wall: "
-            "3 % of what is released by t = 1.1 sqrt(H/g) at 20 layers."),
         "unexplained": (
             "grows at impacts and while the surface breaks, to half of its final "
             "value while the first wave runs up the wall; it falls with "
