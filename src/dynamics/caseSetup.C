@@ -162,16 +162,29 @@ void checkFields(
     {
         refuseFile(file / missing[0], "The file does not exist\n" + remedy);
     }
-    const scalarField& mass = cloud.scalars["mass"];
-    forAll (mass, i)
+    const auto positive =
+        [&](const word& field, const char* unit, const char* reason)
     {
-        if (!(mass[i] > 0))
+        const scalarField& values = cloud.scalars[field];
+        forAll (values, i)
         {
-            refuseFile(
-                file / "mass",
-                "Particle " + Foam::name(i) + " has a mass of "
-                    + Foam::name(mass[i]) + " kg: it would not move. " + remedy
-            );
+            if (!(values[i] > 0))
+            {
+                refuseFile(
+                    file / field,
+                    "Particle " + Foam::name(i) + " has a " + field + " of "
+                        + Foam::name(values[i]) + unit + ": " + reason + ". "
+                        + remedy
+                );
+            }
+        }
+    };
+    positive("mass", " kg", "it would not move");
+    for (const word& density : wordList({"rho", "rhoRef"}))
+    {
+        if (cloud.scalars.found(density))
+        {
+            positive(density, " kg/m3", "a density is greater than 0");
         }
     }
 }
@@ -1017,6 +1030,15 @@ void caseRun::readState()
 //- Time and step of a run that goes on; its domain
 boundBox caseRun::continueFrom(const fileName& dir, const dictionary& state)
 {
+    const fileName file(dir / "uniform" / "time");
+    if (!isFile(file))
+    {
+        refuseFile(
+            file,
+            "The file does not exist: the run cannot go on from here without "
+            "its time and time step\nGo on from an earlier time"
+        );
+    }
     const uniformTime t = readUniformTime(dir);
     control_.time = t.value;
     control_.index = t.index;

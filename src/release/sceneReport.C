@@ -91,7 +91,8 @@ void scenePreparation::reportGrains(const releaseBody& body) const
     {
         WarningInFunction
             << "Release " << body.name << ": the lattice has "
-            << 100 * difference << " % of volume more than the geometry."
+            << 100 * mag(difference) << " % of volume "
+            << (difference > 0 ? "more" : "less") << " than the geometry."
             << " Masses are exact all the same, but each particle stands for"
             << " a volume that its place does not have. A smaller spacing"
             << " helps, or one that divides the thickness." << endl;
@@ -136,7 +137,8 @@ void scenePreparation::reportWater(const waterBody& body) const
     {
         WarningInFunction
             << "Release " << name << ": the lattice of the water has "
-            << 100 * difference << " % of volume more than its geometry."
+            << 100 * mag(difference) << " % of volume "
+            << (difference > 0 ? "more" : "less") << " than its geometry."
             << " Masses are exact all the same. A smaller spacing helps, or one"
             << " that divides the height." << endl;
     }

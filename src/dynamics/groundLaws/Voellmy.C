@@ -44,8 +44,8 @@ public:
         bounds positive;
         positive.lower = 0;
         positive.lowerOpen = true;
-        positive.reason = "it is g times the square of Chezy's coefficient "
-                          "over g; write 100 to 3000";
+        positive.reason = "it is the square of Chezy's coefficient; write "
+                          "100 to 3000";
         xi_ = readNumber(dict, "xi", dimAcceleration, positive);
     }
 
