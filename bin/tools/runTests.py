@@ -414,6 +414,7 @@ def main():
     tests = [t for t in allTests()
              if tier in ("all", t.tier) and options.case in t.name]
     if options.list:
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in `| head`
         print("\n".join(t.name for t in tests))
         return 0
     if not tests:

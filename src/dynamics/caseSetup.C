@@ -115,6 +115,39 @@ const char* const otherRelease =
     throw;
 }
 
+//- FatalIOError where a mass or a density is not above 0; directory: of the
+//  fields
+void checkPositive(
+    const cloudState& cloud, const fileName& directory, const string& remedy
+)
+{
+    const auto check =
+        [&](const word& field, const char* unit, const char* reason)
+    {
+        const scalarField& values = cloud.scalars[field];
+        forAll (values, i)
+        {
+            if (!(values[i] > 0))
+            {
+                refuseFile(
+                    directory / field,
+                    "Particle " + Foam::name(i) + " has a " + field + " of "
+                        + Foam::name(values[i]) + unit + ": " + reason + ". "
+                        + remedy
+                );
+            }
+        }
+    };
+    check("mass", " kg", "it would not move");
+    for (const word& density : wordList({"rho", "rhoRef"}))
+    {
+        if (cloud.scalars.found(density))
+        {
+            check(density, " kg/m3", "a density is greater than 0");
+        }
+    }
+}
+
 //- Fields without which there is no state; from a run, all that it wrote
 void checkFields(
     const cloudState& cloud,
@@ -162,31 +195,7 @@ void checkFields(
     {
         refuseFile(file / missing[0], "The file does not exist\n" + remedy);
     }
-    const auto positive =
-        [&](const word& field, const char* unit, const char* reason)
-    {
-        const scalarField& values = cloud.scalars[field];
-        forAll (values, i)
-        {
-            if (!(values[i] > 0))
-            {
-                refuseFile(
-                    file / field,
-                    "Particle " + Foam::name(i) + " has a " + field + " of "
-                        + Foam::name(values[i]) + unit + ": " + reason + ". "
-                        + remedy
-                );
-            }
-        }
-    };
-    positive("mass", " kg", "it would not move");
-    for (const word& density : wordList({"rho", "rhoRef"}))
-    {
-        if (cloud.scalars.found(density))
-        {
-            positive(density, " kg/m3", "a density is greater than 0");
-        }
-    }
+    checkPositive(cloud, file, remedy);
 }
 
 //- FatalIOError where the particles are not those of the present release
@@ -596,6 +605,11 @@ void caseRun::readWaterScheme(const dictionary& dict)
                    "above 10 a step takes them too far; write 0 or 3";
     waterScheme_.shifting =
         readNumber(dict, "shifting", dimless, shift, waterScheme_.shifting);
+    readGroundLag(dict);
+}
+
+void caseRun::readGroundLag(const dictionary& dict)
+{
     bounds lag;
     lag.lower = 0;
     lag.upper = 1000;
