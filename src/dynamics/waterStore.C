@@ -61,15 +61,24 @@ void waterStore::permute(const indexArray& order)
 void waterStore::fromCloud(const cloudState& cloud)
 {
     readShared(cloud);
-    const bool continued = cloud.scalars.found("rho");
+    const scalarField& pressure = cloud.scalars["p"];
     for (int i = 0; i < size_; ++i)
     {
-        p[i] = cloud.scalars["p"][i];
-        rho[i] = continued ? cloud.scalars["rho"][i] : 0;
+        p[i] = pressure[i];
     }
-    for (int i = 0; withLag_ && i < size_; ++i)
+    // what a start does not have is 0
+    const auto read = [&](realArray& to, const word& field)
     {
-        lag[i] = cloud.scalars.found("lag") ? cloud.scalars["lag"][i] : 0;
+        const auto from = cloud.scalars.cfind(field);
+        for (int i = 0; i < size_; ++i)
+        {
+            to[i] = from.found() ? from.val()[i] : 0;
+        }
+    };
+    read(rho, "rho");
+    if (withLag_)
+    {
+        read(lag, "lag");
     }
 }
 

@@ -28,7 +28,7 @@ constexpr scalar courant = 0.3;
 // each of some 480 candidates for a neighbour
 // (tests/cases/benchmark/estimate compares with what the solver took)
 constexpr scalar bytesPerGrain = 300 + 128 + 64;
-constexpr scalar bytesPerWater = 172 + 96 + 64;
+constexpr scalar bytesPerWater = 180 + 96 + 64;
 
 // More where both are there: porosity, drag, the neighbours of the other kind;
 // the records then are the same memory
