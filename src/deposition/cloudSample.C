@@ -34,18 +34,30 @@ int horizontalAxis(const dictionary& dict, const vector& normal)
     );
 }
 
+template<class Type>
+const Field<Type>& needed(
+    const HashTable<Field<Type>>& fields,
+    const word& cloud,
+    const word& field,
+    const char* purpose
+)
+{
+    const auto found = fields.cfind(field);
+    if (!found.found())
+    {
+        FatalErrorInFunction << "cloud " << cloud << " has no field " << field
+                             << nl << "It is needed for the " << purpose
+                             << " of the particles;"
+                             << " terrainToParticles and lpfSolver write it."
+                             << exit(FatalError);
+    }
+    return found.val();
+}
+
 const scalarField&
 needed(const cloudState& state, const word& cloud, const word& field)
 {
-    const auto found = state.scalars.cfind(field);
-    if (!found.found())
-    {
-        FatalErrorInFunction
-            << "cloud " << cloud << " has no field " << field << nl
-            << "It is needed for the volume of the particles; it is written "
-            << "by terrainToParticles and lpfSolver." << exit(FatalError);
-    }
-    return found.val();
+    return needed(state.scalars, cloud, field, "volume");
 }
 
 scalarField bulkVolume(
@@ -157,9 +169,8 @@ cloudSample sampleOf(
     {
         sample.volume = bulkVolume(state, cloud, phaseDensity);
     }
-    const auto U = state.vectors.cfind("U");
+    sample.U = needed(state.vectors, cloud, "U", "speed");
     const auto h = state.scalars.cfind("h");
-    sample.U = U.found() ? U.val() : vectorField(state.size(), vector::zero);
     sample.h =
         h.found() ? h.val() : scalarField(state.size(), scales.smoothingLength);
 

@@ -446,6 +446,14 @@ void caseRun::printLedger() const
                  ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse
                  : 0)
          << " % of the wall impulse" << nl;
+    if (mag(b.unexplained(now_)) > 0.05 * all)
+    {
+        WarningInFunction
+            << "Energy of " << b.unexplained(now_) << " J is explained by no"
+            << " loss, more than 5 % of what this run is about: do not trust"
+            << " it. Lower CFL of system/lpfSolution or take a smaller spacing"
+            << endl;
+    }
 }
 
 // What the scheme takes beside the laws of the materials

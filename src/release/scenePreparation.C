@@ -213,7 +213,33 @@ point scenePreparation::chooseOrigin() const
         readChoice(dict_, "origin", {"auto"});
         return pieces_.bounds().min();
     }
-    return readVector(dict_, "origin", dimLength);
+    const point origin = readVector(dict_, "origin", dimLength);
+    checkReach(origin);
+    return origin;
+}
+
+
+// Local coordinates have 16 digits: so far away the distance of two particles
+// would be left with less than seven
+void scenePreparation::checkReach(const point& origin) const
+{
+    constexpr scalar spacings = 1e9;
+    const boundBox box = pieces_.bounds();
+    const scalar reach =
+        max(cmptMax(cmptMag(box.min() - origin)),
+            cmptMax(cmptMag(box.max() - origin)));
+    if (reach > spacings * grid_.spacing)
+    {
+        refuse(
+            dict_,
+            "origin",
+            "The ground reaches " + Foam::name(reach)
+                + " m away from it, more"
+                  " than 1e9 spacings: particles could not be told apart. "
+                  "Write a"
+                  " point near the ground, or leave it out: auto."
+        );
+    }
 }
 
 

@@ -711,6 +711,7 @@ TEST_CASE("deposition: volume of water is its mass over its density")
 {
     cloudState state;
     state.positions = vectorField(2, vector::zero);
+    state.vectors.set("U", vectorField(state.size(), vector::zero));
     state.scalars.set("mass", scalarField(2, 2.0));
     state.scalars.set("alpha", scalarField(2, 0.4));
     state.scalars.set("rho", scalarField(2, 1010.0)); // compressed a little
@@ -752,4 +753,20 @@ TEST_CASE("deposition: water has lengths of its own")
     CHECK(both.of("water").smoothingLength == 0.13);
     CHECK(both.of("grains").spacing == 0.2);
     CHECK(both.of("bulk").spacing == 0.2);
+}
+
+TEST_CASE("a sample needs the velocity of the particles", "[deposition]")
+{
+    cloudState state = sampleCloud(8);
+    state.scalars.set("mass", scalarField(8, 1));
+    state.scalars.set("rho", scalarField(8, 1500));
+    state.vectors.set("U", vectorField(8, vector(3, 0, 0)));
+    const releaseScales scales{0.1, 0.13, -1, 0};
+    CHECK(
+        totals(sampleOf(state, "grains", 2500, scales)).meanSpeed == Approx(3)
+    );
+    state.vectors.erase("U");
+    const std::string error =
+        errorOf([&] { sampleOf(state, "grains", 2500, scales); });
+    CHECK(error.find("has no field U") != std::string::npos);
 }

@@ -175,6 +175,20 @@ TEST_CASE("a raster is released with its exact volume", "[release]")
     CHECK(least == Approx(1));
 }
 
+TEST_CASE("an origin far from the ground is refused", "[release]")
+{
+    const auto from = [](const std::string& x)
+    {
+        return scene(
+            "spacing 0.1; origin (" + x + " 0 0);" + floorPart + blockPart
+        );
+    };
+    CHECK(from("-1e7").cloud().size() > 0);
+    const scene far = from("-1e10");
+    CHECK(contains(far.error(), "more than 1e9 spacings"));
+    CHECK(far.isUntouched());
+}
+
 TEST_CASE("a release off the ground is refused", "[release]")
 {
     const scene s("spacing 2;"

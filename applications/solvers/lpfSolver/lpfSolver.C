@@ -12,6 +12,7 @@ Usage        lpfSolver [-case <dir>] [-threads <N>]
              Status 0: done; 1: refused input, or mass that does not close.
 */
 #include "argList.H"
+#include "caseLock.H"
 #include "caseRun.H"
 #include "exitStatus.H"
 
@@ -60,6 +61,7 @@ int main(int argc, char* argv[])
     const int status = lpf::exitStatus(
         [&]
         {
+            const lpf::caseLock lock(args.path());
             lpf::caseRun run(args.path());
             while (run.running())
             {

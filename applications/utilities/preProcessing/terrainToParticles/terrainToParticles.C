@@ -12,6 +12,7 @@ Usage        terrainToParticles [-case <dir>] [-dict <file>]
              Manual etc/caseDicts/annotated/terrainToParticlesDict
 */
 #include "argList.H"
+#include "caseLock.H"
 #include "exitStatus.H"
 #include "scenePreparation.H"
 
@@ -41,6 +42,7 @@ int main(int argc, char* argv[])
     return lpf::exitStatus(
         [&]
         {
+            const lpf::caseLock lock(caseDir);
             const lpf::scenePreparation scene(caseDir, dict);
             scene.report();
             scene.write();
