@@ -439,11 +439,15 @@ void interphase::adjointDrag(scalar dt)
 //     e_k = g(S_k) (S_k - 1),  S_k = sum_a V_a W_ka + gam,             (T 6.16)
 // g from 0 at S = 0.7 to 1 at 0.85. A grain stands where it does whatever the
 // water does: there the sum has no bias, which it has at the water itself.
+// Beside ground it has one, for water stands in layers along it: where the
+// density is right there (T 5.24), the part of these grains is 1 - 10 gam.
 scalar interphase::excess(int k) const
 {
     constexpr scalar from = 0.7, to = 0.85;
-    const scalar S = packed_[k] + grains_.groundShare(k); // (T 6.16)
-    return std::clamp((S - from) / (to - from), 0.0, 1.0) * (S - 1);
+    const scalar gam = grains_.groundShare(k);
+    const scalar S = packed_[k] + gam; // (T 6.16)
+    const scalar away = water_.keepsLag() ? max(scalar(0), 1 - 10 * gam) : 1;
+    return away * std::clamp((S - from) / (to - from), 0.0, 1.0) * (S - 1);
 }
 
 // e_a = sum_k Vs_k W_ka/SO_k e_k/sum_k Vs_k W_ka/SO_k,  the water of (T 6.17)

@@ -589,7 +589,7 @@ namespace
 struct kickSums
 {
     vector gravity = Zero, wall = Zero, friction = Zero;
-    scalar wallNormal = 0, correction = 0, frictionEnergy = 0;
+    scalar wallNormal = 0, correction = 0, frictionEnergy = 0, heat = 0;
 
     void operator+=(const kickSums& b)
     {
@@ -599,6 +599,7 @@ struct kickSums
         wallNormal += b.wallNormal;
         correction += b.correction;
         frictionEnergy += b.frictionEnergy;
+        heat += b.heat;
     }
 };
 
@@ -659,6 +660,9 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
             }
             set(water.U, i, U);
+            // viscous and artificial force together, at that velocity, too
+            s.heat = (-0.5 * dt * water.mass[i])
+                   * (at(water.friction, i) & (before + U));
             return s;
         }
     );
@@ -666,8 +670,10 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
     ledger.wallImpulse += sums.wall;
     ledger.wallNormalImpulse += sums.wallNormal;
     ledger.wallTension += sums.correction;
-    ledger.artificial += artificialPower_ * dt;
-    ledger.viscous += viscousPower_ * dt;
+    const scalar power = artificialPower_ + viscousPower_;
+    const scalar share = power > 0 ? artificialPower_ / power : 0;
+    ledger.artificial += share * sums.heat;
+    ledger.viscous += (1 - share) * sums.heat;
     ledger.frictionImpulse += dt * stickForce_ + sums.friction;
     ledger.friction += sums.frictionEnergy;
 }
