@@ -371,12 +371,14 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     state.write(os, false);
 }
 
-// What shares of energy are shares of. A heap at rest releases next to nothing,
-// of which everything would be much
+// What shares of energy are shares of: what was released, and the motion that
+// the run began with. A heap at rest releases next to nothing, of which
+// everything would be much
 scalar caseRun::energyScale(word& name) const
 {
     constexpr scalar least = 0.01;
-    const scalar released = mag(booked_.released(now_));
+    const scalar released =
+        mag(booked_.released(now_)) + booked_.initial.kinetic;
     scalar weight = 0;
     for (const phaseDynamics* phase : flow_.phases())
     {
@@ -411,7 +413,12 @@ void caseRun::printLedger() const
              << (phase.massCloses() ? "closes exactly" : "DOES NOT CLOSE")
              << nl;
     }
-    Info << "    energy      released " << released << " J, of it"
+    Info << "    energy      released " << released << " J";
+    if (b.initial.kinetic > 0)
+    {
+        Info << " and " << b.initial.kinetic << " J of motion at the start";
+    }
+    Info << ", of it"
          << (scaleName == "released"
                  ? std::string()
                  : " (% of m g releaseHeight, " + Foam::name(all)

@@ -40,7 +40,8 @@ def write(case, scene, phases="grains water", mu_inside=0.6):
             "grains { rho %g; diameter %g; rheology muI; muICoeffs { muS %g; "
             "mu2 %g; I0 0.28; nu %g; E auto; stiffness %g; cohesion %g; "
             "initialStress %s; } }\n"
-            % (RHO_P, scene.get("diameter", 0.002), mu_inside, mu_inside,
+            % (scene.get("density", RHO_P), scene.get("diameter", 0.002),
+               mu_inside, mu_inside,
                scene.get("nu", 0.3), scene.get("stiffness", 10),
                scene.get("cohesion", 0), scene.get("stress", "geostatic"))
         )
@@ -167,23 +168,25 @@ def far_from_walls(side, _):
     }
 
 
-def poured(name, sides, columns):
+def poured(name, sides, columns, density=RHO_P, above=2 * DX, end=2):
     """Grains as coarse as a spacing: the pores of a dry layer that sinks fill
     within half a second. Of finer grains its upper part stays dry for long, and
-    the water rises by the air in it, too."""
+    the water rises by the air in it, too. They begin a distance above the water:
+    rock plunges into it as one body, light grains (1500 kg/m3, at 0) swim until
+    their pores fill, and sink without a splash."""
     side, depth = columns * DX, 24 * DX
     layers, phi = 12, 0.5
     case = Case(os.path.abspath("case." + name))
     scene = sides(side, 3 * depth)
     x0, x1 = scene["inset"], side - scene["inset"]
-    z0 = depth + 2 * DX
+    z0 = depth + above
     run_scene = {
         **scene,
         "release": box("pool", (0, 0, 0), (side, side, depth), "water {}")
         + box("grains", (x0, x0, z0), (x1, x1, z0 + layers * DX),
               "grains { solidFraction %g; }" % phi),
-        "diameter": 0.01, "stress": "zero",
-        "maxSpeed": 1.5, "end": 2, "interval": 0.05,
+        "diameter": 0.01, "density": density, "stress": "zero",
+        "maxSpeed": 1.5, "end": end, "interval": 0.05,
     }
     write(case, run_scene)
     run(case)
@@ -212,7 +215,8 @@ def pour():
     with ThreadPoolExecutor(jobs()) as pool:
         found = pool.map(
             lambda scene: list(poured(*scene)),
-            (("wideTank", far_from_walls, 6), ("narrowTank", tank, 12)))
+            (("wideTank", far_from_walls, 6), ("narrowTank", tank, 12),
+             ("lightGrains", tank, 12, 1500, 0, 3)))
         return [line for lines in found for line in lines]
 
 
