@@ -389,17 +389,8 @@ scalar caseRun::energyScale(word& name) const
     return max(released >= least * stored ? released : stored, VSMALL);
 }
 
-void caseRun::printLedger() const
+void caseRun::printMasses() const
 {
-    const balance& b = booked_;
-    const scalar released = b.released(now_);
-    word scaleName;
-    const scalar all = energyScale(scaleName);
-    const auto line = [&](const char* name, scalar energy)
-    {
-        Info << "        " << name << energy << " J (" << 100 * energy / all
-             << " %)" << nl;
-    };
     Info << nl << "Ledger at " << bookedAt_ << " s" << nl;
     const wordList names(flow_.names());
     const std::vector<phaseDynamics*> phases = flow_.phases();
@@ -413,6 +404,20 @@ void caseRun::printLedger() const
              << (phase.massCloses() ? "closes exactly" : "DOES NOT CLOSE")
              << nl;
     }
+}
+
+void caseRun::printLedger() const
+{
+    const balance& b = booked_;
+    const scalar released = b.released(now_);
+    word scaleName;
+    const scalar all = energyScale(scaleName);
+    const auto line = [&](const char* name, scalar energy)
+    {
+        Info << "        " << name << energy << " J (" << 100 * energy / all
+             << " %)" << nl;
+    };
+    printMasses();
     Info << "    energy      released " << released << " J";
     if (b.initial.kinetic > 0)
     {
@@ -453,12 +458,19 @@ void caseRun::printLedger() const
                  ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse
                  : 0)
          << " % of the wall impulse" << nl;
-    if (mag(b.unexplained(now_)) > 0.05 * all)
+}
+
+void caseRun::warnOfUnexplained() const
+{
+    constexpr scalar most = 0.05;
+    const scalar unexplained = booked_.unexplained(now_);
+    word scaleName;
+    if (mag(unexplained) > most * energyScale(scaleName))
     {
         WarningInFunction
-            << "Energy of " << b.unexplained(now_) << " J is explained by no"
-            << " loss, more than 5 % of what this run is about: do not trust"
-            << " it. Lower CFL of system/lpfSolution or take a smaller spacing"
+            << "Energy of " << unexplained << " J is explained by no loss,"
+            << " more than 5 % of what this run is about: do not trust it."
+            << " Lower CFL of system/lpfSolution or take a smaller spacing"
             << endl;
     }
 }
@@ -563,6 +575,7 @@ int caseRun::finish()
         Info << "Stopped as asked at time " << control_.time << " s" << nl;
     }
     printLedger();
+    warnOfUnexplained();
     printArtificialShare();
     const int evaluations = integration_->evaluations();
     const int groundPasses = evaluations * flow_.groundPasses();

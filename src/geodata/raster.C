@@ -89,7 +89,9 @@ placement readPlacement(
     if (!(t[1] > 0) || !(std::abs(t[5]) > 0))
     {
         FatalIOErrorInFunction(context)
-            << file << " has cells of " << t[1] << " x " << t[5] << " m."
+            << file << " has cells of " << t[1] << " x " << t[5] << " m." << nl
+            << "Both lengths must be above 0: give it a corner and a"
+            << " size, gdal_edit.py -a_ullr west north east south " << file
             << exit(FatalIOError);
     }
     return {t[0], t[3], t[1], t[5]};
@@ -160,7 +162,8 @@ void readBand(
             FatalIOErrorInFunction(context)
                 << "Raster " << file << " is damaged in row "
                 << cells.row0 + r + 1 << ": " << gdalScope::lastError().c_str()
-                << '.' << exit(FatalIOError);
+                << '.' << nl << "Fetch the file again, or make it anew."
+                << exit(FatalIOError);
         }
         for (int i = 0; i < nx; ++i)
         {

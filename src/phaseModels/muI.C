@@ -38,7 +38,8 @@ public:
         bounds positive;
         positive.lower = 0;
         positive.lowerOpen = true;
-        positive.reason = "it must be positive";
+        positive.reason =
+            "it is part of the inertial number that friction rises with";
         I0_ = readNumber(coeffs, "I0", dimless, positive);
         diameter_ = readNumber(phase, "diameter", dimLength, positive);
         rhoGrain_ = readNumber(phase, "rho", dimDensity, positive);
