@@ -440,13 +440,14 @@ void interphase::adjointDrag(scalar dt)
 // g from 0 at S = 0.7 to 1 at 0.85. A grain stands where it does whatever the
 // water does: there the sum has no bias, which it has at the water itself.
 // Beside ground it has one, for water stands in layers along it: where the
-// density is right there (T 5.24), the part of these grains is 1 - 10 gam.
-scalar interphase::excess(int k) const
+// density is right there (T 5.24), the part of these grains is 1 - 10 gam,
+// steepness 10; else it is 0.
+scalar interphase::excess(int k, scalar steepness) const
 {
     constexpr scalar from = 0.7, to = 0.85;
     const scalar gam = grains_.groundShare(k);
     const scalar S = packed_[k] + gam; // (T 6.16)
-    const scalar away = water_.keepsLag() ? max(scalar(0), 1 - 10 * gam) : 1;
+    const scalar away = max(scalar(0), 1 - steepness * gam);
     return away * std::clamp((S - from) / (to - from), 0.0, 1.0) * (S - 1);
 }
 
@@ -470,7 +471,10 @@ realArray& interphase::excesses()
 {
     const int n = grains_.grains.size();
     realArray& q = fromGrains_[3];
-    lpfPairs::forEach(n, [&](int k) { q[k] = around_[k] * excess(k); });
+    const scalar steepness = water_.keepsLag() ? 10 : 0;
+    lpfPairs::forEach(
+        n, [&](int k) { q[k] = around_[k] * excess(k, steepness); }
+    );
     q.pad(n, 0);
     excess_.resize(water_.water.size());
     return q;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "waterStore.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace lpf
@@ -61,20 +63,20 @@ void waterStore::permute(const indexArray& order)
 void waterStore::fromCloud(const cloudState& cloud)
 {
     readShared(cloud);
-    const scalarField& pressure = cloud.scalars["p"];
-    for (int i = 0; i < size_; ++i)
-    {
-        p[i] = pressure[i];
-    }
     // what a start does not have is 0
     const auto read = [&](realArray& to, const word& field)
     {
         const auto from = cloud.scalars.cfind(field);
-        for (int i = 0; i < size_; ++i)
+        if (from.found())
         {
-            to[i] = from.found() ? from.val()[i] : 0;
+            std::copy_n(from.val().cdata(), size_, to.data());
+        }
+        else
+        {
+            std::fill_n(to.data(), size_, 0.0);
         }
     };
+    read(p, "p");
     read(rho, "rho");
     if (withLag_)
     {

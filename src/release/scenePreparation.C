@@ -233,11 +233,9 @@ void scenePreparation::checkReach(const point& origin) const
         refuse(
             dict_,
             "origin",
-            "The ground reaches " + Foam::name(reach)
-                + " m away from it, more"
-                  " than 1e9 spacings: particles could not be told apart. "
-                  "Write a"
-                  " point near the ground, or leave it out: auto."
+            "The ground reaches " + Foam::name(reach) + " m away from it, "
+                + "more than 1e9 spacings: particles could not be told apart. "
+                + "Write a point near the ground, or leave it out: auto."
         );
     }
 }

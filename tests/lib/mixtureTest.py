@@ -260,9 +260,6 @@ def level(kind):
         + walls(0, SIDE, 0, SIDE, 0, 2 * BED),
         "release": release, "diameter": 0.005,
         "maxSpeed": 0.5, "end": 3, "interval": 0.1,
-        # of the step, in which the leapfrog is of first order: 1.7e-3 with the
-        # default of 0.3
-        "solution": "CFL 0.1;" if kind == "drain" else "",
     })
     run(case)
     late = [t for t in case.times() if float(t) > 2]
