@@ -14,6 +14,7 @@ Usage: test slab|pour|level|alone
 
 Settling and Ergun: tests/unit/interphaseTest.C.
 """
+import itertools
 import math
 import os
 import re
@@ -25,6 +26,7 @@ from tankShapes import walls
 
 G, DX = 9.81, 0.01
 RHO_P, RHO_F = 2600.0, 1000.0
+LATTICE_SUM = 1.0095  # of V W, at h = 1.3 spacings
 
 
 def mean(values):
@@ -149,6 +151,34 @@ def surface(case, time, area, layers=4):
     return mean([x[i][2] for i in top]) + 0.5 * volume / area
 
 
+def sum_over_rate(case, time, side, level):
+    """Of each particle of water with a full kernel, its height and its density
+    by where the others are over that which is integrated: sum V W, with V of
+    the integrated density, over that of a lattice. Where sides are cyclic that
+    is a column without neighbours behind them: none of it is nearer than 2 h"""
+    h = 1.3 * DX
+    x = [p[:3] for p in case.field(time, "positions", "water")]
+    V = [m / (rho * share) for m, rho, share in zip(
+        case.field(time, "mass", "water"), case.field(time, "rho", "water"),
+        case.field(time, "alpha", "water"))]
+    cells = {}
+    for i, p in enumerate(x):
+        cells.setdefault(tuple(int(c // (2 * h)) for c in p), []).append(i)
+
+    def kernel_sum(p):
+        near = (range(int(c // (2 * h)) - 1, int(c // (2 * h)) + 2) for c in p)
+        total = 0.0
+        for cell in itertools.product(*near):
+            for j in cells.get(cell, ()):
+                q = math.dist(p, x[j]) / h
+                total += V[j] * max(0.0, 1 - q / 2) ** 4 * (1 + 2 * q)
+        return total * 21 / (16 * math.pi * h ** 3)
+
+    return [
+        (p[2], kernel_sum(p) / LATTICE_SUM) for p in x
+        if min(p[0], p[1], side - p[0], side - p[1], p[2], level - p[2]) > 2 * h]
+
+
 def tank(side, high):
     """Walls around, grains one spacing from them"""
     return {
@@ -166,6 +196,11 @@ def far_from_walls(side, _):
         "ground": floor(-side, 2 * side, -side, 2 * side),
         "inset": 0,
     }
+
+
+def of_bed_and_water(shares, top):
+    yield "in the bed", [s for z, s in shares if z < top]
+    yield "above it", [s for z, s in shares if z > top]
 
 
 def poured(name, sides, columns, density=RHO_P, above=2 * DX, end=2):
@@ -208,6 +243,21 @@ def poured(name, sides, columns, density=RHO_P, above=2 * DX, end=2):
             "pour, %s: level rises by %.2f mm while grains %s (mean of %d "
             "times), Vs/A %.2f, off by %+.3f (2 %%)"
             % (name, 1e3 * (level - before), what, len(levels), 1e3 * rise, error),
+        )
+    if side < 6 * 1.3 * DX:
+        return
+    last = case.times()[-1]
+    top, level = states[-1]
+    for where, shares in of_bed_and_water(
+            sum_over_rate(case, last, side, level), top):
+        share = mean(shares)
+        yield (
+            abs(share - 1) < 0.02,
+            "pour, %s: density by sum over that by rate %.4f, rms %.4f, of %d "
+            "particles %s (2 %%)"
+            % (name, share,
+               math.sqrt(mean([(s - share) ** 2 for s in shares])),
+               len(shares), where),
         )
 
 
