@@ -319,6 +319,7 @@ void waterDynamics::correct(scalar dt, stage where)
     if (asksGrains())
     {
         byGrains_.resize(n);
+        seePassage(dt);
     }
     if (where == stage::start)
     {
@@ -711,7 +712,7 @@ scalar waterDynamics::storedEnergy(int i) const
 std::size_t waterDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + eta_.bytes() + fill_.bytes() + byGrains_.bytes()
+         + eta_.bytes() + fill_.bytes() + byGrains_.bytes() + passage_.bytes()
          + lpf::bytes(gradFill_) + lpf::bytes(strain_) + shearRate_.bytes()
          + (viscous_ ? viscous_->bytes() : 0)
          + (resistance_ ? resistance_->bytes() : 0);

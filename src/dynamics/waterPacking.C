@@ -56,12 +56,18 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
 // goes back to that slowly, faster where the flow deforms: a rate [1/s] of
 //     kappa (c0/h + 100 (|div| + |curl|)) g(S) (S/S_lattice - 1),
 // g from 0 at S = 0.6 to 1 at 0.8                                    (T 5.14)
-scalar waterDynamics::relaxation(int i, const packing& s) const
+scalar waterDynamics::excess(int i, const packing& s) const
 {
-    constexpr scalar from = 0.6, to = 0.8, byDeformation = 100;
+    constexpr scalar from = 0.6, to = 0.8;
     const scalar g = std::clamp((s.S - from) / (to - from), 0.0, 1.0);
+    return g * (s.S / fillOfLattice(i) - 1);
+}
+
+scalar waterDynamics::relaxation(int i) const
+{
+    constexpr scalar byDeformation = 100;
     const scalar rate = state_.c0() / scene_.h + byDeformation * deformation(i);
-    return scheme_.densityRelaxation * rate * g * (s.S / fillOfLattice(i) - 1);
+    return scheme_.densityRelaxation * rate;
 }
 
 // That of a lattice whose particles fill V each, linear in V          (T 5.13)
@@ -89,11 +95,40 @@ scalar waterDynamics::drawnBack(int i)
     const packing s = packingAt(i);
     if (!withGrains_)
     {
-        return relaxation(i, s);
+        return relaxation(i) * excess(i, s);
     }
     const scalar b = shareOfGrains(i) * inTheDepth(s);
     byGrains_[i] = deformation(i) * b;
-    return (1 - b) * relaxation(i, s);
+    return ((1 - b) * relaxation(i) + passage_[i]) * excess(i, s);
+}
+
+// Where grains come or go, the shares of their volume (T 6.1) and the flux of
+// it (T 6.3) do not change a place alike. What that leaves goes as it is made:
+//     rho <- rho (1 + N |dtheta/theta| g(S) (S/S_lattice - 1))       (T 6.22)
+// slower than sound: a density that is tied to the packing makes energy
+void waterDynamics::seePassage(scalar dt)
+{
+    constexpr scalar byPassage = 10, ofSound = 0.1;
+    const int n = water.size();
+    passage_.resize(n);
+    if (!(dt > 0))
+    {
+        std::fill_n(passage_.data(), n, 0.0);
+        return;
+    }
+    const scalar fastest = ofSound * state_.c0() / scene_.h;
+    lpfPairs::forEach(
+        n,
+        [&](int i)
+        {
+            const scalar now = water.theta[i];
+            // 0: the first step of all
+            const scalar before =
+                water.thetaBefore[i] > 0 ? water.thetaBefore[i] : now;
+            passage_[i] = min(fastest, byPassage / dt * mag(now / before - 1));
+            water.thetaBefore[i] = now;
+        }
+    );
 }
 
 // rho <- rho (1 + dt rate e_a)                                      (T 6.17)

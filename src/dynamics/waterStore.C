@@ -23,6 +23,8 @@ void waterStore::resize(int n)
     if (withGrains_)
     {
         theta.resize(n);
+        thetaBefore.resize(n);
+        std::fill_n(thetaBefore.data(), n, 0.0);
         lpf::resize(flux, n);
         lpf::resize(gradPForce, n);
         lpf::resize(drag, n);
@@ -36,7 +38,7 @@ void waterStore::resize(int n)
 std::size_t waterStore::bytes() const
 {
     return particleStore::bytes() + 5 * rho.bytes() + lpf::bytes(friction)
-         + theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
+         + 2 * theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
          + lpf::bytes(drag) + rhoStart.bytes() + lag.bytes();
 }
 
@@ -52,6 +54,7 @@ void waterStore::permute(const indexArray& order)
     if (withGrains_)
     {
         permute(theta, order);
+        permute(thetaBefore, order);
         permute(drag, order);
     }
     if (keepsStart_)
@@ -82,6 +85,10 @@ void waterStore::fromCloud(const cloudState& cloud)
     {
         read(lag, "lag");
     }
+    if (withGrains_)
+    {
+        read(thetaBefore, "theta");
+    }
 }
 
 cloudState waterStore::toCloud(scalar rho0, scalar h) const
@@ -111,6 +118,7 @@ cloudState waterStore::toCloud(scalar rho0, scalar h) const
         {
             alpha[i] *= theta[i];
         }
+        cloud.scalars.set("theta", toField(thetaBefore, size_));
         cloud.vectors.set("drag", toField(drag, size_));
     }
     cloud.scalars.set("alpha", alpha);

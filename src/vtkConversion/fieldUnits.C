@@ -19,6 +19,7 @@ Foam::string Foam::lpf::unitsOf(const word& field)
         {"rho", "kg/m3"},
         {"rhoRef", "kg/m3"},
         {"lag", "1"},
+        {"theta", "1"},
         {"a", "m/s2"},
         {"drag", "m/s2"},
         {"S", "1"},
