@@ -154,6 +154,11 @@ class Disordered(Viscous):
     disorder = 0.2
     orders = {"velocity": 1.0}
     own_limit = ()
+    findings = {"velocity": (
+        "far within 2 %, and beyond only because the order is asked for. What is not "
+        "in proportion to the profile falls with order 0.9 to 1 (0.64, 0.32, 0.17 % "
+        "at nu t/H^2 = 0.1); but disordered particles give way around the shear, so "
+        "that their viscosity is 1.7 % low at any resolution.")}
     packs = "densityRelaxation 0; "
 
     def width(self, dx):
