@@ -26,6 +26,10 @@ constexpr scalar leastOpen = 0.2;
 //- And its density stays above this
 constexpr scalar lowestDensity = 0.01;
 
+//- Reynolds number of a kernel, with a tenth of the speed of sound, up to which
+//  viscosity is felt between particles: weights are then worth two passes
+constexpr scalar viscousKernel = 100;
+
 vector normalised(const vector& v)
 {
     return v / max(mag(v), VSMALL);
@@ -73,9 +77,12 @@ waterDynamics::waterDynamics(
       ),
       water(withGrains, scheme.groundLag > 0)
 {
-    const bool byRate = viscosity.needsShearRate();
-    if (viscosity.largest() > 0
-        && (byRate || scheme.implicitViscosity || contact.anyStick()))
+    const scalar mu = viscosity.largest();
+    const bool felt =
+        state.rho0() * state.c0() * scene.h < 10 * viscousKernel * mu;
+    const bool asked = viscosity.needsShearRate() || scheme.implicitViscosity
+                    || contact.anyStick();
+    if (mu > 0 && (felt || asked))
     {
         viscous_.reset(new waterViscosity(engine, scene_, contact, water));
     }
@@ -166,8 +173,7 @@ void waterDynamics::divergence()
     p.divergence = water.rate.data();
     p.curl = water.curl.data();
     p.diffusion = water.diffusion.data();
-    const bool byRate = viscous_ && viscosity_.needsShearRate();
-    if (byRate)
+    if (viscous_)
     {
         lpf::resize(strain_, water.size());
         for (std::size_t c = 0; c < 6; ++c)
@@ -181,10 +187,24 @@ void waterDynamics::divergence()
     }
     engine_.waterContinuity(p);
     addGround();
-    if (byRate)
+    if (viscous_)
     {
         shearRates();
     }
+}
+
+// In the plane of the flow
+Symm waterDynamics::withoutTrace(const Symm& D) const
+{
+    const scalar mean = trace(D) / scene_.dimensions;
+    const Symm& e = acrossPlane_;
+    return {
+        D.xx + mean * (e.xx - 1),
+        D.xy + mean * e.xy,
+        D.xz + mean * e.xz,
+        D.yy + mean * (e.yy - 1),
+        D.yz + mean * e.yz,
+        D.zz + mean * (e.zz - 1)};
 }
 
 // Behind the ground the velocity goes on as its mirror image, where water
@@ -214,6 +234,7 @@ void waterDynamics::shearRates()
                        + symm(outer(toVec(gradientScale_ * along), toVec(g)));
                 }
                 shearRate_[i] = rateOfShear(D);
+                setSymm(strain_, i, withoutTrace(D));
             }
         }
     );
@@ -387,6 +408,10 @@ void waterDynamics::viscosityOfMixture()
     if (withGrains_)
     {
         lpfPairs::forEach(n, [&](int i) { eta_[i] *= water.theta[i]; });
+    }
+    if (viscous_)
+    {
+        viscous_->adapt(strain_, eta_);
     }
     eta_.pad(n, 0);
 }

@@ -4,6 +4,7 @@
 #include "fieldTensors.H"
 #include "latticeSums.H"
 #include "orderedSum.H"
+#include "waterTerms.H"
 
 #include "messageStream.H"
 
@@ -13,6 +14,7 @@ namespace lpf
 {
 
 using lpfPairs::forChunks;
+using lpfPairs::forEach;
 using lpfPairs::orderedSum;
 using lpfPairs::sumOf;
 
@@ -29,6 +31,14 @@ constexpr int mostIterations = 20000;
 //- Least distance to the ground in the slope of the velocity behind it, as a
 //  share of the spacing: a particle at rest has half a spacing
 constexpr scalar nearestShare = 0.25;
+
+//- Before a plane free surface half a kernel does the work of a whole one;
+//  what has less left is spray
+constexpr scalar mostWeight = 2;
+
+//- Of the stages of (T 5.22): a root of 1 - 4 g + 2 g^2, with which what is
+//  stiff dies away in a step, above 1/4, below which energy could rise
+const scalar stageShare = 1 - std::sqrt(0.5);
 
 } // namespace
 
@@ -93,6 +103,49 @@ vector waterViscosity::groundGradient(int i) const
     }
     const double* g = stick_[static_cast<std::size_t>(slot)].gradient;
     return vector(g[0], g[1], g[2]);
+}
+
+// The pairs and the ground take of the shear at i
+//     P_i = V_i eta_i (D + 2) w Q_i,  2 V_i eta_i D:D is right, so that
+//     eta <- c eta,  c = 2 D:D/((D + 2) w Q), within 1/2 and 2       (T 5.25)
+void waterViscosity::adapt(const realArrays<6>& D, realArray& eta)
+{
+    const int n = water_.size();
+    moment_.resize(n);
+    lpfPairs::shearMomentPass p = {};
+    p.pairs = pairs_;
+    p.cells = cells_;
+    p.h = scene_.h;
+    p.dimensions = scene_.dimensions;
+    p.x = water_.x[0].data();
+    p.y = water_.x[1].data();
+    p.z = water_.x[2].data();
+    p.V = water_.V.data();
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+        p.D[c] = D[c].data();
+    }
+    p.Q = moment_.data();
+    engine_.shearMoment(p);
+    lpfPairs::forEach(
+        n,
+        [&](int i)
+        {
+            const Symm shear = symmAt(D, i);
+            const int slot = (*slot_)[i];
+            scalar Q = moment_[i];
+            if (sticks_ && slot >= 0)
+            {
+                const auto& ground = stick_[static_cast<std::size_t>(slot)];
+                Q += lpfPairs::shearMoment(ground.moment, shear);
+            }
+            const scalar wanted = sqr(rateOfShear(shear)), made = weight_ * Q;
+            const bool known = wanted > VSMALL && made > VSMALL;
+            eta[i] *= known
+                        ? std::clamp(wanted / made, 1 / mostWeight, mostWeight)
+                        : 1;
+        }
+    );
 }
 
 //- f = - 2 (D + 2) w V eta T u                                      (T 5.21)
@@ -272,7 +325,7 @@ scalar waterViscosity::curvature(scalar dt)
     ).value;
 }
 
-// Conjugate gradients for (m - dt L) u = m u* from u = u*           (T 5.22)
+// Conjugate gradients for (m - dt L) u = m u* from u = u*
 int waterViscosity::solve(scalar dt)
 {
     realArrays<3>& u = water_.U;
@@ -314,6 +367,45 @@ int waterViscosity::solve(scalar dt)
     return k;
 }
 
+// du/dt = a + L u over dt from u_0, what the kick by a dt began with, with two
+// stages that are implicit, g = 1 - 1/sqrt(2):                      (T 5.22)
+//     u_1 = u_0 + dt g k_1,                 k = a + L u/m of the stage
+//     u_2 = u_0 + dt ((1 - 2 g) k_1 + g k_2)
+//     u   = u_0 + dt (k_1 + k_2)/2
+void waterViscosity::advanceStages(scalar dt)
+{
+    const int n = water_.size();
+    constexpr scalar half = 0.5;
+    const scalar g = stageShare;
+    const auto start = [&](int i)
+    { return at(kicked_, i) - dt * at(water_.a, i); };
+    const auto given = [&](int i)
+    { return start(i) + (1 - 2 * g) * at(first_, i); };
+
+    lpf::resize(first_, n);
+    forEach(
+        n, [&](int i) { set(water_.U, i, start(i) + g * dt * at(water_.a, i)); }
+    );
+    iterations = solve(g * dt);
+    forEach(
+        n,
+        [&](int i)
+        {
+            set(first_, i, (at(water_.U, i) - start(i)) / g);
+            set(water_.U, i, given(i) + g * dt * at(water_.a, i));
+        }
+    );
+    iterations += solve(g * dt);
+    forEach(
+        n,
+        [&](int i)
+        {
+            const vector second = (at(water_.U, i) - given(i)) / g;
+            set(water_.U, i, start(i) + half * (at(first_, i) + second));
+        }
+    );
+}
+
 // Work of the impulse on the mean of the velocities before the kick that went
 // with it and after both, as the leapfrog does work
 waterViscosity::change waterViscosity::relax(scalar dt)
@@ -327,7 +419,7 @@ waterViscosity::change waterViscosity::relax(scalar dt)
             kicked_[c][i] = water_.U[c][i];
         }
     }
-    iterations = solve(dt);
+    advanceStages(dt);
     return orderedSum<change>(
         n,
         [&](int i)
@@ -343,8 +435,8 @@ waterViscosity::change waterViscosity::relax(scalar dt)
 
 std::size_t waterViscosity::bytes() const
 {
-    return lpf::bytes(force_) + lpf::bytes(residual_) + lpf::bytes(direction_)
-         + lpf::bytes(kicked_)
+    return lpf::bytes(force_) + moment_.bytes() + lpf::bytes(residual_)
+         + lpf::bytes(direction_) + lpf::bytes(kicked_)
          + stick_.capacity() * sizeof(lpfPairs::stickRecord);
 }
 

@@ -45,6 +45,28 @@ LPF_ONE_BODY void viscousForceOn(const viscousPass& p, Around& around, int i)
     store(total, p.force, i);
 }
 
+template<class Around>
+LPF_ONE_BODY void shearMomentOf(const shearMomentPass& p, Around& around, int i)
+{
+    const SymmTensor<T> D = {
+        T(p.D[0][i]),
+        T(p.D[1][i]),
+        T(p.D[2][i]),
+        T(p.D[3][i]),
+        T(p.D[4][i]),
+        T(p.D[5][i])};
+    T total(0);
+    around.each(
+        i,
+        [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
+        {
+            const T VF = of[volume] * around.W.gradByDistance(rSqr);
+            addShearMoment(total, VF, x_ij, D);
+        }
+    );
+    p.Q[i] = sum(total);
+}
+
 template<int layers, bool screened, class Around>
 LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
 {
@@ -78,6 +100,10 @@ LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
     {
         out.gradient[c] = sum(total.gradient, c);
     }
+    for (int c = 0; c < 21; ++c)
+    {
+        out.moment[c] = sum(total.moment[c]);
+    }
 }
 
 } // namespace
@@ -91,6 +117,17 @@ void viscousForce(const viscousPass& p)
         searchOf(p),
         fields,
         [&](auto& around, int i) { viscousForceOn(p, around, i); }
+    );
+}
+
+void shearMoments(const shearMomentPass& p)
+{
+    const recordFields<4> fields = {{p.x, p.y, p.z, p.V}};
+    overPairsIn<double>(
+        p,
+        searchOf(p),
+        fields,
+        [&](auto& around, int i) { shearMomentOf(p, around, i); }
     );
 }
 

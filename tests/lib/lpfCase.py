@@ -98,6 +98,11 @@ class Case:
             tuple(flat[k * width: (k + 1) * width]) for k in range(count)
         ]
 
+    def time_of_velocity(self, time):
+        """Half a step before that of the positions (doc/design.md)"""
+        text = open(os.path.join(self.path, time, "uniform/time")).read()
+        return float(time) - 0.5 * float(re.search(r"deltaT\s+(\S+);", text).group(1))
+
     def change(self, name, changed, cloud="grains", time="0"):
         """Positions or a field of numbers, vectors or symmetric tensors, each
         value by a function of it and of where it is"""

@@ -11,6 +11,10 @@ from verify import Measured, Verification
 
 H, DEGREES, NU = 0.1, 30.0, 0.3
 DRIVE = G * math.sin(math.radians(DEGREES))
+# [m/s]: three times that of soundSpeed auto. The answers are of a liquid that does
+# not give way; water that is denser by P/(rho c^2), 0.2 % at 20 m/s, flows as much
+# too fast
+SOUND = 60
 # of the writes, nu t/H^2: the start, on the way, nearly steady
 TIMES = (0.1, 0.3, 1.0)
 
@@ -34,27 +38,21 @@ def plates(z, t, nu):
     return DRIVE * H * H / nu * u
 
 
-# Sum over the square lattice at h = 1.3 spacings: 1.25 % too little
-FLOOR = (
-    "far within 2 %, and beyond only because the order is asked for: what is left "
-    "does not depend on the resolution. The viscous weight (T 5.20) is that of all "
-    "directions together; the sum over a lattice for shear along its rows is 0.9875 "
-    "of it in plane strain, so that the flow is as much too fast, 0.8 and 1.3 % in "
-    "L2 at the end. What depends on resolution falls with the order of the row flux.")
-
-
 class Viscous(Verification):
     bounds = {"velocity": 0.02, "flux": 0.02}
     judged = 20
     orders = {"velocity": 1.8, "flux": 1.8}
     own_limit = ("flux",)
-    findings = {"velocity": FLOOR}
     axes = ("u/u_max", "z/H")
     exact = staticmethod(incline)
     nu = NU
     integration = "explicit"
     disorder = 0.0  # largest displacement of a particle over the spacing
     ceiling = False
+    packs = ""
+
+    def width(self, dx):
+        return 8 * dx
 
     @property
     def unit(self):
@@ -67,18 +65,19 @@ class Viscous(Verification):
 
     def scene(self, layers, factor):
         dx = H / layers
-        L = 8 * dx
+        L = self.width(dx)
         scene = Scene(
             dx=dx, phases="water", degrees=DEGREES, maxSpeed=self.fastest,
-            mu=factor * self.nu * RHO_F, log=500, cyclic="x (0 %.17g);" % L,
+            mu=factor * self.nu * RHO_F, log=500,
+            water="TaitCoeffs { soundSpeed %g; }" % SOUND, cyclic="x (0 %.17g);" % L,
             zones=" ".join(
                 "%s { friction none; waterFriction noSlip; }" % zone
                 for zone in ("floor", "ceiling")[:1 + self.ceiling]),
-            solution="water { artificialViscosity 0; viscosityIntegration %s; }"
-            % self.integration)
-        scene.ground = scene.floor(-8 * dx, 16 * dx)
+            solution="water { artificialViscosity 0; %sviscosityIntegration %s; }"
+            % (self.packs, self.integration))
+        scene.ground = scene.floor(-8 * dx, L + 8 * dx)
         if self.ceiling:
-            scene.ground += scene.ceiling(-8 * dx, 16 * dx, H)
+            scene.ground += scene.ceiling(-8 * dx, L + 8 * dx, H)
         scene.release = scene.box("layer", 0, L, 0, H, "water {}")
         scene.end, scene.writes = TIMES[-1] * self.unit, 10
         return scene
@@ -108,7 +107,7 @@ class Viscous(Verification):
                        key=lambda t: abs(float(t) - share * self.unit))
             x = case.field(time, "positions", "water")
             u = case.field(time, "U", "water")
-            t = float(time)
+            t = case.time_of_velocity(time)
             here = [(b[0] - self.exact(min(a[2], H), t, self.nu)) / self.fastest
                     for a, b in zip(x, u)]
             off += here
@@ -144,21 +143,26 @@ class Incline(Viscous):
 class Implicit(Viscous):
     name = "viscous.implicit"
     integration = "implicit"
-    findings = dict.fromkeys(("velocity", "flux"), (
-        "far within 2 %, and beyond only because the order is asked for: the step "
-        "in time (T 5.22) is of first order, 0.47, 0.22 and 0.09 % at nu t/H^2 = "
-        "0.1, order 1.1 to 1.2; then see viscous.incline."))
 
 
 class Disordered(Viscous):
+    """The same piece of the layer at each resolution: the finer its disorder the
+    more of it is averaged. What disorder does to the density (theory 9: the layer
+    swells by 0.2 spacings) is left out, it is not of the viscosity"""
+
     name = "viscous.disordered"
     disorder = 0.2
     orders = {"velocity": 1.0}
     own_limit = ()
     findings = {"velocity": (
-        "far within 2 %, and beyond only because the order is asked for: see "
-        "viscous.incline. At nu t/H^2 = 0.1, while that part is small, 0.77, 0.40 "
-        "and 0.24 %, order 0.8 to 0.9.")}
+        "far within 2 %, and beyond only because the order is asked for. What is not "
+        "in proportion to the profile falls with order 0.9 to 1 (0.64, 0.32, 0.17 % "
+        "at nu t/H^2 = 0.1); the profile as a whole is 0, 1.5 and 1.6 % too fast. That "
+        "disordered particles give way around the shear may be why.")}
+    packs = "densityRelaxation 0; "
+
+    def width(self, dx):
+        return 0.8 * H
 
 
 class Sheared(Viscous):
@@ -179,7 +183,8 @@ class Poiseuille(Viscous):
 Incline.reference = described(Incline, DOWN)
 Implicit.reference = described(Implicit, DOWN) + "; viscosityIntegration implicit"
 Disordered.reference = described(Disordered, DOWN) + (
-    "; particles displaced by up to 0.2 spacings at the start")
+    "; particles displaced by up to 0.2 spacings at the start, a piece 0.8 H long, "
+    "densityRelaxation 0")
 Sheared.reference = described(Sheared, DOWN) + (
     "; rows of particles pass each other by up to %.0f times the spacing of 20 "
     "layers" % (20 * Sheared().fastest * Sheared().unit / H * 0.5))
