@@ -75,20 +75,31 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
         }
     );
 
-    p.divergence[i] = sum(total.divergence);
-    const Vec<double> curl = {
-        sum(total.curl, 0), sum(total.curl, 1), sum(total.curl, 2)};
-    p.curl[i] = squareRoot(magSqr(curl));
-    p.diffusion[i] = sum(total.diffusion);
+    const auto all = sums(
+        total.divergence,
+        total.diffusion,
+        total.curl.x,
+        total.curl.y,
+        total.curl.z,
+        filling.fill,
+        filling.gradient.x,
+        filling.gradient.y,
+        filling.gradient.z
+    );
+    p.divergence[i] = all[0];
+    p.diffusion[i] = all[1];
+    p.curl[i] = squareRoot(magSqr(Vec<double>{all[2], all[3], all[4]}));
     if constexpr (withFill)
     {
-        p.fill[i] = sum(filling.fill);
-        store(filling.gradient, p.gradFill, i);
+        p.fill[i] = all[5];
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            p.gradFill[c][i] = all[6 + c];
+        }
     }
     if constexpr (withStrain)
     {
-        store(Vec<T>{strain.xx, strain.xy, strain.xz}, p.strain, i);
-        store(Vec<T>{strain.yy, strain.yz, strain.zz}, p.strain + 3, i);
+        store(strain, p.strain, i);
     }
 }
 
@@ -256,19 +267,30 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
 
     const double filled = p.thickness * p.V[i], s = filled / p.m[i];
     double* const a[3] = {p.ax + i, p.ay + i, p.az + i};
-    for (int c = 0; c < 3; ++c)
+    const auto pressures = sums(total.x, total.y, total.z);
+    for (std::size_t c = 0; c < 3; ++c)
     {
-        *a[c] = s * sum(total, c);
+        *a[c] = s * pressures[c];
     }
     if constexpr (kind != friction::none)
     {
+        const auto all = sums(
+            perVolume.x,
+            perVolume.y,
+            perVolume.z,
+            lost.viscous,
+            perMass.x,
+            perMass.y,
+            perMass.z,
+            lost.artificial
+        );
         double* const b[3] = {p.bx + i, p.by + i, p.bz + i};
-        for (int c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c)
         {
-            *b[c] = s * sum(perVolume, c) + sum(perMass, c);
+            *b[c] = s * all[c] + all[4 + c];
         }
-        p.artificial[i] = p.m[i] * sum(lost.artificial);
-        p.viscous[i] = filled * sum(lost.viscous);
+        p.viscous[i] = filled * all[3];
+        p.artificial[i] = p.m[i] * all[7];
     }
 }
 
