@@ -59,8 +59,9 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
 scalar waterDynamics::relaxation(int i, const packing& s) const
 {
     constexpr scalar from = 0.6, to = 0.8, byDeformation = 100;
-    const scalar g = std::clamp((s.S - from) / (to - from), 0.0, 1.0);
-    const scalar rate = state_.c0() / scene_.h + byDeformation * deformation(i);
+    constexpr scalar slope = 1 / (to - from);
+    const scalar g = std::clamp((s.S - from) * slope, 0.0, 1.0);
+    const scalar rate = soundRate_ + byDeformation * deformation(i);
     return scheme_.densityRelaxation * rate * g * (s.S / fillOfLattice(i) - 1);
 }
 
@@ -68,7 +69,7 @@ scalar waterDynamics::relaxation(int i, const packing& s) const
 scalar waterDynamics::fillOfLattice(int i) const
 {
     return latticeFill_
-         + (water.V[i] / placeOfLattice_ - 1)
+         + (water.V[i] * perPlaceOfLattice_ - 1)
                * (wideLatticeFill_ - latticeFill_);
 }
 
@@ -104,10 +105,10 @@ void waterDynamics::relaxByGrains(const realArray& excess, scalar dt)
             water.size(),
             [&](int i)
             {
-                const scalar before = state_.energy(water.rho[i]);
+                const scalar before = water.rho[i];
                 water.rho[i] *= 1 + dt * byGrains_[i] * excess[i];
                 return sumOf<scalar>{
-                    water.mass[i] * (before - state_.energy(water.rho[i]))};
+                    water.mass[i] * state_.released(before, water.rho[i])};
             }
         ).value;
 }
