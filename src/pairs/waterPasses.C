@@ -240,12 +240,11 @@ LPF_INLINE T viscousForce(
     const waterForceFactors<Real>& by,
     const waterHere<T>& here,
     const pairOfWater<T>& ij,
-    const T& VF,
     lostPower<T>& lost
 )
 {
     const T force = viscousFactor(
-        VF,
+        T(ij.of[volume] * ij.F),
         T(here.eta + ij.of[viscousEta]),
         by.dimensionsPlus2,
         ij.vx,
@@ -286,7 +285,7 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
                 }
                 if constexpr (hasViscous(kind))
                 {
-                    force += viscousForce<Real>(by, here, ij, VF, lost);
+                    force += viscousForce<Real>(by, here, ij, lost);
                 }
                 frictions += force * x_ij;
             }
