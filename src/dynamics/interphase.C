@@ -328,8 +328,8 @@ vector interphase::relaxed(
     {
         // densities = rb_f rb_p/(rb_f + rb_p), over the wet share
         const scalar tau = densities / max(law_.beta(at, u), VSMALL);
-        const scalar lost = -std::expm1(-dt / tau), E = 1 - lost;
-        return vector(E * s + (tau * lost - dt * E) * da);
+        const scalar E = std::exp(-dt / tau);
+        return vector(E * s + (tau * -std::expm1(-dt / tau) - dt * E) * da);
     };
     // |end(u)| falls with u: secant for |end(u)| = u
     scalar u0 = mag(s - dt * da), f0 = mag(end(u0)) - u0;
