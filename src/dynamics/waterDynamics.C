@@ -71,7 +71,11 @@ waterDynamics::waterDynamics(
           scene.spacing * std::pow(2.0, 1.0 / scene.dimensions),
           scene.dimensions
       )),
-      placeOfLattice_(std::pow(scene.spacing, scene.dimensions)),
+      perPlaceOfLattice_(1 / std::pow(scene.spacing, scene.dimensions)),
+      soundRate_(state.c0() / scene.h),
+      lagRate_(
+          scheme.groundLag > 0 ? soundRate_ / scheme.groundLag : scalar(0)
+      ),
       resistance_(
           groundResistance::forPhase(contact, scene_, &groundZone::water)
       ),
@@ -267,13 +271,8 @@ void waterDynamics::addGround()
 // Relative rate at which the density is brought back to the packing [1/s]
 scalar waterDynamics::slowRate(int i)
 {
-    const scalar atGround = keepsLag() ? water.lag[i] / lagTime() : 0;
+    const scalar atGround = keepsLag() ? water.lag[i] * lagRate_ : 0;
     return atGround + (scheme_.densityRelaxation > 0 ? drawnBack(i) : 0);
-}
-
-scalar waterDynamics::lagTime() const
-{
-    return scheme_.groundLag * scene_.h / state_.c0();
 }
 
 // The image of the ground doubles what the ground does to the density. That is
@@ -282,7 +281,7 @@ scalar waterDynamics::lagTime() const
 //     rho <- rho (1 + dt e/tau),  tau = N h/c0                      (T 5.24)
 void waterDynamics::advanceLag(scalar dt)
 {
-    const scalar tau = lagTime(), half = 0.5 * dt / tau;
+    const scalar half = 0.5 * dt * lagRate_;
     lpfPairs::forEach(
         water.size(),
         [&](int i)
@@ -374,7 +373,7 @@ void waterDynamics::correct(scalar dt, stage where)
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
 void waterDynamics::advanceDensity(scalar dt)
 {
-    const scalar quiet = 1e-4 * state_.c0() / scene_.h;
+    const scalar quiet = 1e-4 * soundRate_;
     ledger.diffusion +=
         orderedSum<sumOf<scalar>>(
             water.size(),
@@ -389,8 +388,8 @@ void waterDynamics::advanceDensity(scalar dt)
                 water.curl[i] = div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
-                    * (state_.energy(before) - state_.energy(half)
-                       + state_.energy(half * flow) - state_.energy(rho.end))};
+                    * (state_.released(before, half)
+                       + state_.released(half * flow, rho.end))};
             }
         ).value;
 }

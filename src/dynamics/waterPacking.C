@@ -59,14 +59,15 @@ waterDynamics::packing waterDynamics::packingAt(int i) const
 scalar waterDynamics::excess(int i, const packing& s) const
 {
     constexpr scalar from = 0.6, to = 0.8;
-    const scalar g = std::clamp((s.S - from) / (to - from), 0.0, 1.0);
+    constexpr scalar slope = 1 / (to - from);
+    const scalar g = std::clamp((s.S - from) * slope, 0.0, 1.0);
     return g * (s.S / fillOfLattice(i) - 1);
 }
 
 scalar waterDynamics::relaxation(int i) const
 {
     constexpr scalar byDeformation = 100;
-    const scalar rate = state_.c0() / scene_.h + byDeformation * deformation(i);
+    const scalar rate = soundRate_ + byDeformation * deformation(i);
     return scheme_.densityRelaxation * rate;
 }
 
@@ -74,7 +75,7 @@ scalar waterDynamics::relaxation(int i) const
 scalar waterDynamics::fillOfLattice(int i) const
 {
     return latticeFill_
-         + (water.V[i] / placeOfLattice_ - 1)
+         + (water.V[i] * perPlaceOfLattice_ - 1)
                * (wideLatticeFill_ - latticeFill_);
 }
 
@@ -116,7 +117,7 @@ void waterDynamics::seePassage(scalar dt)
         std::fill_n(passage_.data(), n, 0.0);
         return;
     }
-    const scalar fastest = ofSound * state_.c0() / scene_.h;
+    const scalar fastest = ofSound * soundRate_;
     lpfPairs::forEach(
         n,
         [&](int i)
@@ -139,10 +140,10 @@ void waterDynamics::relaxByGrains(const realArray& excess, scalar dt)
             water.size(),
             [&](int i)
             {
-                const scalar before = state_.energy(water.rho[i]);
+                const scalar before = water.rho[i];
                 water.rho[i] *= 1 + dt * byGrains_[i] * excess[i];
                 return sumOf<scalar>{
-                    water.mass[i] * (before - state_.energy(water.rho[i]))};
+                    water.mass[i] * state_.released(before, water.rho[i])};
             }
         ).value;
 }

@@ -15,6 +15,13 @@ constexpr int smoothFields(int n)
     return (3 + n + 3) / 4 * 4;
 }
 
+template<class T, std::size_t... c>
+LPF_INLINE void
+storeAll(const T* total, double* const* to, int i, std::index_sequence<c...>)
+{
+    storeSums(to, i, total[c]...);
+}
+
 template<int n, class Around>
 LPF_ONE_BODY void smoothAtParticle(const smoothPass& p, Around& around, int i)
 {
@@ -31,10 +38,7 @@ LPF_ONE_BODY void smoothAtParticle(const smoothPass& p, Around& around, int i)
             }
         }
     );
-    for (int c = 0; c < n; ++c)
-    {
-        p.out[c][i] = sum(total[c]);
-    }
+    storeAll(total, p.out, i, std::make_index_sequence<n>{});
 }
 
 template<int n>

@@ -18,44 +18,46 @@ namespace
 //- Rounding of positions relative to a cell, with room to spare
 constexpr double rounding = 1 + 1e-5;
 
-//- Middle of the box around the particles [begin, end)
-double middle(const double* x, int begin, int end)
+cellBox boxAround(const double* const x[3], int begin, int end)
 {
-    double lower = x[begin], upper = x[begin];
-    for (int i = begin + 1; i < end; ++i)
+    cellBox box;
+    for (int d = 0; d < 3; ++d)
     {
-        lower = std::min(lower, x[i]);
-        upper = std::max(upper, x[i]);
+        double lower = x[d][begin], upper = x[d][begin];
+        for (int i = begin + 1; i < end; ++i)
+        {
+            lower = std::min(lower, x[d][i]);
+            upper = std::max(upper, x[d][i]);
+        }
+        box.middle[d] = 0.5 * (lower + upper);
+        box.half[d] = static_cast<float>(0.5 * (upper - lower) * rounding);
     }
-    return 0.5 * (lower + upper);
+    return box;
 }
 
-//- Bits of the particles [begin, end) of a cell
+//- Bits of the cell and its particles, in memory from `at` on
 LPF_ONE_BODY void searchCell(
     const searchPass& p,
-    const runs& around,
-    int begin,
-    int end,
+    const searchedCell& cell,
     candidates& near,
-    candidateBits* bits
+    bitArena& memory,
+    bitArena::place& at
 )
 {
-    if (around.count == 0)
-    {
-        return;
-    }
     const double* const x[3] = {p.x, p.y, p.z};
     const double* const X[3] = {p.X, p.Y, p.Z};
     const double reach = 2 * p.h * rounding;
     const auto reachSqr = static_cast<float>(reach * reach);
-    near.take(
-        around,
+    const int all = unitsOf(sizeOf(cell.around));
+    const int units = near.take(
+        cell.around,
         X,
-        {middle(x[0], begin, end),
-         middle(x[1], begin, end),
-         middle(x[2], begin, end)}
+        boxAround(x, cell.begin, cell.end),
+        reachSqr,
+        memory.room(at, all)
     );
-    for (int i = begin; i < end; ++i)
+    candidateBits* bits = memory.room(at, units * (cell.end - cell.begin));
+    for (int i = cell.begin; i < cell.end; ++i)
     {
         bits = near.near({x[0][i], x[1][i], x[2][i]}, reachSqr, bits);
     }
@@ -87,7 +89,7 @@ void takeStretches(neighbourTable& table)
 }
 
 //- Has a particle with so many units of bits any of the others near?
-bool anyOf(const candidateBits* bits, std::size_t units)
+bool anyOf(const candidateBits* bits, int units)
 {
     return std::any_of(
         bits, bits + units, [](candidateBits b) { return b != 0; }
@@ -128,10 +130,13 @@ void searchPairs(const searchPass& p, neighbourTable* into)
                 p.home,
                 [&](int begin, int end, long x, long y, long z)
                 {
-                    const runs around = runsAround(p.others, x, y, z);
-                    const std::size_t size = bitsOfCell(around, end - begin);
-                    candidateBits* bits = table.arenas[t].room(ends[t], size);
-                    searchCell(p, around, begin, end, near[t], bits);
+                    searchCell(
+                        p,
+                        {begin, end, runsAround(p.others, x, y, z)},
+                        near[t],
+                        table.arenas[t],
+                        ends[t]
+                    );
                 }
             );
         }
@@ -168,16 +173,9 @@ tableSize sizeOfTable(const neighbourTable* table)
         forSearched(
             *table,
             s,
-            [&](int begin,
-                int end,
-                const runs& around,
-                const candidateBits* bits)
-            {
-                const std::size_t all = bitsOfCell(around, end - begin);
-                for (std::size_t k = 0; k < all; ++k)
-                {
-                    size.pairs += __builtin_popcount(bits[k]);
-                }
+            [&](const searchedCell& cell) {
+                size.pairs +=
+                    countBits(cell.bits, cell.units * (cell.end - cell.begin));
             }
         );
     }
@@ -196,16 +194,14 @@ int numberListed(const neighbourTable* table, int* slot)
             forSearched(
                 *table,
                 s,
-                [&](int begin,
-                    int end,
-                    const runs& around,
-                    const candidateBits* bits)
+                [&](const searchedCell& cell)
                 {
-                    const std::size_t units = bitsOfCell(around, 1);
-                    for (int i = begin; i < end; ++i, bits += units)
+                    const candidateBits* bits = cell.bits;
+                    for (int i = cell.begin; i < cell.end; ++i)
                     {
-                        slot[i] = anyOf(bits, units) ? 0 : -1;
+                        slot[i] = anyOf(bits, cell.units) ? 0 : -1;
                         numbers[k + 1] += slot[i] == 0;
+                        bits += cell.units;
                     }
                 }
             );

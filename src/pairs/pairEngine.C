@@ -57,15 +57,20 @@ kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
         }
     );
 
-    store(total.R.x, p.R, i);
-    store(total.R.y, p.R + 3, i);
-    store(total.R.z, p.R + 6, i);
-    store(Vec<T>{total.M.xx, total.M.xy, total.M.xz}, p.M, i);
-    store(Vec<T>{total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
+    const Tensor<T>& R = total.R;
+    storeSums(
+        p.R, i, R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z
+    );
+    store(total.M, p.M, i);
     if constexpr (withFill)
     {
-        p.fill[i] = sum(filling.fill) / p.thickness;
-        store(filling.gradient, p.gradFill, i);
+        const Vec<T>& g = filling.gradient;
+        const auto all = sums(filling.fill, g.x, g.y, g.z);
+        p.fill[i] = all[0] / p.thickness;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            p.gradFill[c][i] = all[c + 1];
+        }
     }
 }
 
@@ -203,23 +208,25 @@ LPF_ONE_BODY void forceOnParticle(const forcePass& p, Around& around, int i)
         }
     );
 
-    const Vec<double> g = {
-        sum(total.gradV, 0), sum(total.gradV, 1), sum(total.gradV, 2)};
+    const Vec<T>&gradV = total.gradV, &other = total.other;
+    const auto all = sums(gradV.x, gradV.y, gradV.z, other.x, other.y, other.z);
+    const Vec<double> g = {all[0], all[1], all[2]};
     const double s = p.thickness * p.V[i] / p.m[i];
     double* out[3] = {p.ax + i, p.ay + i, p.az + i};
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
     {
         const Vec<double> row = {
             p.A[3 * c][i], p.A[3 * c + 1][i], p.A[3 * c + 2][i]};
-        *out[c] = s * ((row & g) + sum(total.other, c));
-        if constexpr (kind != viscosity::none)
-        {
-            *out[c] += sum(a, c);
-        }
+        *out[c] = s * ((row & g) + all[3 + c]);
     }
     if constexpr (kind != viscosity::none)
     {
-        p.viscousPower[i] = p.m[i] * lpfPairs::sum(power);
+        const auto viscous = sums(a.x, a.y, a.z, power);
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            *out[c] += viscous[c];
+        }
+        p.viscousPower[i] = p.m[i] * viscous[3];
     }
 }
 
@@ -317,21 +324,33 @@ template<class T>
 void store(const WallSums<T>& from, wallRecord& to)
 {
     const SymmTensor3<T> N = from.N3;
-    const T N3[10] = {
-        N.xxx, N.xxy, N.xxz, N.xyy, N.xyz, N.xzz, N.yyy, N.yyz, N.yzz, N.zzz};
-    for (int c = 0; c < 10; ++c)
-    {
-        to.N3[c] = lpfPairs::sum(N3[c]);
-    }
     const SymmTensor<T> D = from.D2;
-    const T D2[6] = {D.xx, D.xy, D.xz, D.yy, D.yz, D.zz};
-    for (int c = 0; c < 6; ++c)
-    {
-        to.D2[c] = lpfPairs::sum(D2[c]);
-    }
-    to.area = lpfPairs::sum(from.area);
-    to.friction = lpfPairs::sum(from.friction);
-    to.share = lpfPairs::sum(from.share);
+    const auto all = sums(
+        N.xxx,
+        N.xxy,
+        N.xxz,
+        N.xyy,
+        N.xyz,
+        N.xzz,
+        N.yyy,
+        N.yyz,
+        N.yzz,
+        N.zzz,
+        D.xx,
+        D.xy,
+        D.xz,
+        D.yy,
+        D.yz,
+        D.zz,
+        from.area,
+        from.friction,
+        from.share
+    );
+    std::copy_n(all.begin(), 10, to.N3);
+    std::copy_n(all.begin() + 10, 6, to.D2);
+    to.area = all[16];
+    to.friction = all[17];
+    to.share = all[18];
 }
 
 //- What is asked of the ground

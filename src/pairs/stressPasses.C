@@ -52,8 +52,7 @@ gradientAtParticle(const stressGradientPass& p, Around& around, int i)
     {
         store(total.Q[c], p.Q + 3 * c, i);
     }
-    store(Vec<T>{total.M.xx, total.M.xy, total.M.xz}, p.M, i);
-    store(Vec<T>{total.M.yy, total.M.yz, total.M.zz}, p.M + 3, i);
+    store(total.M, p.M, i);
 }
 
 template<class Around>
@@ -84,10 +83,9 @@ diffusionAtParticle(const stressDiffusionPass& p, Around& around, int i)
             }
         }
     );
-    for (int c = 0; c < stressParts; ++c)
-    {
-        p.out[c][i] = sum(total[c]);
-    }
+    storeSums(
+        p.out, i, total[0], total[1], total[2], total[3], total[4], total[5]
+    );
 }
 
 } // namespace

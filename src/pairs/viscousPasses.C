@@ -90,16 +90,11 @@ LPF_ONE_BODY void stickOfParticle(const stickPass& p, Around& around, int i)
     );
 
     stickRecord& out = p.sums[p.slot[i]];
-    const SymmTensor<T> F = total.force;
-    const T force[6] = {F.xx, F.xy, F.xz, F.yy, F.yz, F.zz};
-    for (int c = 0; c < 6; ++c)
-    {
-        out.force[c] = sum(force[c]);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-        out.gradient[c] = sum(total.gradient, c);
-    }
+    const SymmTensor<T>& F = total.force;
+    const Vec<T>& g = total.gradient;
+    const auto all = sums(F.xx, F.xy, F.xz, F.yy, F.yz, F.zz, g.x, g.y, g.z);
+    std::copy_n(all.begin(), 6, out.force);
+    std::copy_n(all.begin() + 6, 3, out.gradient);
     for (int c = 0; c < 21; ++c)
     {
         out.moment[c] = sum(total.moment[c]);

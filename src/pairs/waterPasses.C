@@ -75,20 +75,31 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
         }
     );
 
-    p.divergence[i] = sum(total.divergence);
-    const Vec<double> curl = {
-        sum(total.curl, 0), sum(total.curl, 1), sum(total.curl, 2)};
-    p.curl[i] = squareRoot(magSqr(curl));
-    p.diffusion[i] = sum(total.diffusion);
+    const auto all = sums(
+        total.divergence,
+        total.diffusion,
+        total.curl.x,
+        total.curl.y,
+        total.curl.z,
+        filling.fill,
+        filling.gradient.x,
+        filling.gradient.y,
+        filling.gradient.z
+    );
+    p.divergence[i] = all[0];
+    p.diffusion[i] = all[1];
+    p.curl[i] = squareRoot(magSqr(Vec<double>{all[2], all[3], all[4]}));
     if constexpr (withFill)
     {
-        p.fill[i] = sum(filling.fill);
-        store(filling.gradient, p.gradFill, i);
+        p.fill[i] = all[5];
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            p.gradFill[c][i] = all[6 + c];
+        }
     }
     if constexpr (withStrain)
     {
-        store(Vec<T>{strain.xx, strain.xy, strain.xz}, p.strain, i);
-        store(Vec<T>{strain.yy, strain.yz, strain.zz}, p.strain + 3, i);
+        store(strain, p.strain, i);
     }
 }
 
@@ -130,7 +141,7 @@ constexpr bool hasViscous(friction kind)
     return kind == friction::viscous || kind == friction::both;
 }
 
-//- Powers lost at i per unit volume and mass
+//- Power of either kind at i over V_i, twice
 template<class T>
 struct lostPower
 {
@@ -159,11 +170,11 @@ struct waterHere
 template<class Real, class T = packOf<Real>>
 struct waterForceFactors
 {
-    T alphaHC, hSqr, perThickness, dimensionsPlus2;
+    T alphaHC, hSqr, dimensionsPlus2;
 
     explicit waterForceFactors(const waterForcePass& p)
         : alphaHC(own<Real>(p.alpha * p.h * p.soundSpeed)),
-          hSqr(own<Real>(p.h * p.h)), perThickness(own<Real>(1 / p.thickness)),
+          hSqr(own<Real>(p.h * p.h)),
           dimensionsPlus2(own<Real>(p.dimensions + 2.0))
     {
     }
@@ -174,50 +185,73 @@ template<class T>
 struct pairOfWater
 {
     const T* of; //!< fields of j
-    Vec<T> x, v; //!< differences
-    T rSqr, F;
+    T F, vx;
+    T perSoftened, perRhoSoftened; //!< of which either is used
 };
 
-template<class Real, class T>
-LPF_INLINE void addArtificial(
+//- One quotient for both kinds
+template<friction kind, class Real, class T>
+LPF_INLINE pairOfWater<T> frictionalPair(
     const waterForceFactors<Real>& by,
     const waterHere<T>& here,
-    const pairOfWater<T>& ij,
-    Vec<T>& perMass,
-    lostPower<T>& lost
+    const T* of,
+    const Vec<T>& x_ij,
+    const T& rSqr,
+    const T& F
 )
 {
-    const T half = constant<T>(0.5);
-    const T rhoMean = half * (here.rho + ij.of[density]);
-    const T f = half * (here.balsara + ij.of[balsara]);
-    const T Pi = artificialViscosity(
-        ij.x, ij.v, ij.rSqr, T(f * by.alphaHC), by.hSqr, rhoMean
-    );
-    const T mPiF = ij.of[mass] * Pi * ij.F * by.perThickness;
-    perMass += -mPiF * ij.x;
-    lost.artificial += half * mPiF * (ij.v & ij.x);
+    const Vec<T> v_ij = here.v - vectorOf(of + velocity);
+    pairOfWater<T> ij = {of, F, v_ij & x_ij, {}, {}};
+    const T away = softened(rSqr, by.hSqr);
+    if constexpr (hasArtificial(kind))
+    {
+        const T rhoMean = constant<T>(0.5) * (here.rho + of[density]);
+        ij.perRhoSoftened = T(1) / (rhoMean * away);
+        ij.perSoftened = rhoMean * ij.perRhoSoftened;
+    }
+    else
+    {
+        ij.perSoftened = T(1) / away;
+    }
+    return ij;
 }
 
+//- Force over V_i along x_ij; perMass: m_i/(V_i thickness^2)
 template<class Real, class T>
-LPF_INLINE void addViscous(
+LPF_INLINE T artificialForce(
     const waterForceFactors<Real>& by,
     const waterHere<T>& here,
     const pairOfWater<T>& ij,
-    Vec<T>& perVolume,
+    const T& perMass,
     lostPower<T>& lost
 )
 {
-    const T factor = viscousFactor(
+    const T f = constant<T>(0.5) * (here.balsara + ij.of[balsara]);
+    const T Pi =
+        artificialViscosity(ij.vx, T(f * by.alphaHC), ij.perRhoSoftened);
+    const T force = -ij.of[mass] * Pi * ij.F * perMass;
+    lost.artificial += force * ij.vx;
+    return force;
+}
+
+//- The same of the viscosity
+template<class Real, class T>
+LPF_INLINE T viscousForce(
+    const waterForceFactors<Real>& by,
+    const waterHere<T>& here,
+    const pairOfWater<T>& ij,
+    lostPower<T>& lost
+)
+{
+    const T force = viscousFactor(
         T(ij.of[volume] * ij.F),
         T(here.eta + ij.of[viscousEta]),
         by.dimensionsPlus2,
-        ij.x,
-        ij.v,
-        ij.rSqr,
-        by.hSqr
+        ij.vx,
+        ij.perSoftened
     );
-    perVolume += factor * ij.x;
-    lost.viscous += constant<T>(-0.5) * factor * (ij.v & ij.x);
+    lost.viscous += force * ij.vx;
+    return force;
 }
 
 template<friction kind, class Around>
@@ -228,7 +262,9 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
     const waterHere<T> here(around, i);
     const waterForceFactors<Real> by(p);
     const T scale = own<Real>(p.scale);
-    Vec<T> total = {}, perMass = {}, perVolume = {};
+    const double filled = p.thickness * p.V[i], s = filled / p.m[i];
+    [[maybe_unused]] const T perMass = own<Real>(1 / (s * p.thickness));
+    Vec<T> pressures = {}, frictions = {};
     lostPower<T> lost;
 
     around.each(
@@ -237,38 +273,50 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
         {
             const T F = around.W.gradByDistance(rSqr);
             const T VF = scale * of[volume] * F;
-            addPressureForce(total, VF, here.P, of[pressure], x_ij);
+            addPressureForce(pressures, VF, here.P, of[pressure], x_ij);
             if constexpr (kind != friction::none)
             {
-                const pairOfWater<T> ij = {
-                    of, x_ij, here.v - vectorOf(of + velocity), rSqr, F};
+                const pairOfWater<T> ij =
+                    frictionalPair<kind, Real>(by, here, of, x_ij, rSqr, F);
+                T force = constant<T>(0);
                 if constexpr (hasArtificial(kind))
                 {
-                    addArtificial<Real>(by, here, ij, perMass, lost);
+                    force += artificialForce<Real>(by, here, ij, perMass, lost);
                 }
                 if constexpr (hasViscous(kind))
                 {
-                    addViscous<Real>(by, here, ij, perVolume, lost);
+                    force += viscousForce<Real>(by, here, ij, lost);
                 }
+                frictions += force * x_ij;
             }
         }
     );
 
-    const double filled = p.thickness * p.V[i], s = filled / p.m[i];
+    const auto all = sums(
+        pressures.x,
+        pressures.y,
+        pressures.z,
+        frictions.x,
+        frictions.y,
+        frictions.z,
+        lost.artificial,
+        lost.viscous
+    );
     double* const a[3] = {p.ax + i, p.ay + i, p.az + i};
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
     {
-        *a[c] = s * sum(total, c);
+        *a[c] = s * all[c];
     }
     if constexpr (kind != friction::none)
     {
         double* const b[3] = {p.bx + i, p.by + i, p.bz + i};
-        for (int c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c)
         {
-            *b[c] = s * sum(perVolume, c) + sum(perMass, c);
+            *b[c] = s * all[3 + c];
         }
-        p.artificial[i] = p.m[i] * sum(lost.artificial);
-        p.viscous[i] = filled * sum(lost.viscous);
+        // to either of the pair half of what it loses
+        p.artificial[i] = -0.5 * filled * all[6];
+        p.viscous[i] = -0.5 * filled * all[7];
     }
 }
 

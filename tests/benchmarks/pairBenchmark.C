@@ -382,13 +382,10 @@ struct lists
                 forSearched(
                     table,
                     s,
-                    [&](int begin,
-                        int end,
-                        const runs& around,
-                        const candidateBits* bits)
+                    [&](const searchedCell& cell)
                     {
-                        here.enter(around, begin, bits);
-                        for (int i = begin; i < end; ++i)
+                        here.enter(cell);
+                        for (int i = cell.begin; i < cell.end; ++i)
                         {
                             const int count = here.make(i);
                             of_[static_cast<std::size_t>(i)] = {
