@@ -624,6 +624,19 @@ void caseRun::readGroundLag(const dictionary& dict)
         lag,
         waterScheme_.shifting > 0 ? 0 : waterScheme_.groundLag
     );
+    if (dict.found("groundLag") && waterScheme_.groundLag > 0
+        && groundContact::asksPenalty(boundary_))
+    {
+        refuse(
+            dict,
+            "groundLag",
+            "groundLag = " + Foam::name(waterScheme_.groundLag)
+                + " takes back what the images of water behind the ground do "
+                  "to its density, and contact penalty of "
+                  "constant/boundaryProperties has no images; leave it out, or "
+                  "write contact signedDistance"
+        );
+    }
 }
 
 void caseRun::readStop(const dictionary& stop)
@@ -674,6 +687,25 @@ void caseRun::makeContact()
         scene_.planeNormal
     ));
     waitForOpenings();
+    if (contact_->penalty())
+    {
+        waterScheme_.groundLag = 0; // there are no images
+        printPenalty();
+    }
+}
+
+void caseRun::printPenalty() const
+{
+    const scalar omega = contact_->penalty()->omega;
+    Info << nl << "contact penalty: the paper's eq. 24, omega "
+         << (omega > 0 ? Foam::name(omega) + " m/s"
+                       : string("the speed of sound of each phase"))
+                .c_str()
+         << ". It resists approach alone, so that what rests sinks until it is "
+         << "stopped at " << contactShare << " of a spacing: look at contact "
+         << "in the ledger. There is nothing behind the ground, so that stress "
+         << "and pressure of the lowest layers are not to be used. contact "
+         << "signedDistance has neither fault" << nl << endl;
 }
 
 void caseRun::makeGrains(const lpfPairs::pairEngine& engine)

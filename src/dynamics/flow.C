@@ -75,6 +75,10 @@ void flow::relax(scalar dt)
     {
         water->relaxViscosity(dt);
     }
+    for (phaseDynamics* phase : phases())
+    {
+        phase->pushOffGround(dt);
+    }
     if (coupling)
     {
         coupling->drag(dt);
@@ -265,7 +269,8 @@ std::vector<std::pair<word, passTimes>> flow::times() const
 
 int flow::groundPasses() const
 {
-    return (grains ? 1 : 0) + (water ? water->groundPasses() : 0);
+    return (grains ? 1 + grains->penaltyPasses() : 0)
+         + (water ? water->groundPasses() : 0);
 }
 
 } // namespace lpf

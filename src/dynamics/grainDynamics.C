@@ -52,6 +52,9 @@ grainDynamics::grainDynamics(
       surface_(wet ? new lpfPairs::surfaceShare(scene.dimensions) : nullptr),
       grains(wet)
 {
+    penalty_ = penaltyGround::forPhase(
+        engine, scene_, contact, rheology.elastic().c()
+    );
 }
 
 void grainDynamics::densityFromPressure()
@@ -129,6 +132,20 @@ lpfPairs::forcePass grainDynamics::forcePass()
 void grainDynamics::gradient()
 {
     const passTimes::timed pass(times, "velocity gradient");
+    if (penalty_)
+    {
+        gradientWith([&](int i, const Tens& R, const Symm& M)
+                     { gradientOfGrainsAlone(i, R, M); });
+        return;
+    }
+    gradientWith([&](int i, const Tens& R, const Symm& M)
+                 { gradientNearGround(i, R, M); });
+}
+
+//- nearGround(i, R, M) for the grains that are
+template<class NearGround>
+void grainDynamics::gradientWith(const NearGround& nearGround)
+{
     lpfPairs::forChunks(
         grains.size(),
         [&](int begin, int end, int)
@@ -140,7 +157,7 @@ void grainDynamics::gradient()
                 M += acrossPlane_;
                 if (slot_[i] >= 0)
                 {
-                    gradientNearGround(i, R, M);
+                    nearGround(i, R, M);
                 }
                 else
                 {
@@ -157,21 +174,36 @@ void grainDynamics::setGradient(int i, const Symm& B, const Tens& R)
     setTensor(grains.L, i, R & full(B));
 }
 
-void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
+grainDynamics::nearWall& grainDynamics::lookAtGround(int i, const Symm& M)
 {
     const auto slot = static_cast<std::size_t>(slot_[i]);
     const lpfPairs::wallRecord& wall = walls_[slot];
     nearWall& near = near_[slot];
-    const Vec3 v = vecAt(grains.U, i);
-    const auto N3 = thirdMoment(wall);
-
-    const Vec3 nA = contracted(N3);
+    const Vec3 nA = contracted(thirdMoment(wall));
     const double magnitude = std::sqrt(magSqr(nA));
     near.n = magnitude > 0 ? (1 / magnitude) * nA : Vec3{0, 0, 1};
     near.planarity =
         wall.area > 0 ? std::max(0.0, 10 * magnitude / wall.area - 9) : 0;
     near.friction = wall.area > 0 ? wall.friction / wall.area : 0;
     near.Bp = momentInverse(M);
+    return near;
+}
+
+// Behind a penalty there is no material
+void grainDynamics::gradientOfGrainsAlone(int i, const Tens& R, const Symm& M)
+{
+    nearWall& near = lookAtGround(i, M);
+    near.closed = false;
+    setGradient(i, near.Bp, R);
+}
+
+void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
+{
+    nearWall& near = lookAtGround(i, M);
+    const lpfPairs::wallRecord& wall =
+        walls_[static_cast<std::size_t>(slot_[i])];
+    const Vec3 v = vecAt(grains.U, i);
+    const auto N3 = thirdMoment(wall);
 
     // the ground neither holds a grain back nor stretches it: in tension it
     // is not there for a grain that moves away
@@ -661,8 +693,38 @@ timeStepLimit grainDynamics::stableDeltaT() const
     return limit;
 }
 
+// Coulomb friction by the mean over the elements, as of (T 4.6); terms that go
+// with the speed act in the kick, as they do beside any ground
+void grainDynamics::pushOffGround(scalar dt)
+{
+    if (!penalty_)
+    {
+        return;
+    }
+    const auto dry = [&](int i, scalar dv)
+    { return near_[static_cast<std::size_t>(slot_[i])].friction * dv; };
+    if (resistance_)
+    {
+        pushWith(
+            dt,
+            [&](int i, const vector& U, const vector& n, scalar dv)
+            { return resistance_->after(slot_[i], U, n, dry(i, dv), dv, 0); }
+        );
+        return;
+    }
+    pushWith(
+        dt,
+        [&](int i, const vector& U, const vector& n, scalar dv)
+        { return afterFriction(U, n, dry(i, dv)); }
+    );
+}
+
 vector grainDynamics::wallForceSum() const
 {
+    if (penalty_)
+    {
+        return penaltyForce();
+    }
     vector total = Zero;
     for (const nearWall& near : near_)
     {

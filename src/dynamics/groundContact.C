@@ -11,6 +11,39 @@ namespace lpf
 namespace
 {
 
+//- A speed, or 0 for auto
+scalar readOmega(const dictionary& dict)
+{
+    const word key("omega");
+    allowOnly(dict, {key});
+    if (!dict.found(key))
+    {
+        return 0;
+    }
+    const ITstream& given = dict.lookup(key);
+    if (given.size() == 1 && given[0].isWord())
+    {
+        if (given[0].wordToken() != "auto")
+        {
+            refuse(
+                dict,
+                key,
+                "omega = " + given[0].wordToken()
+                    + " is no speed: a number in m/s, or auto for the speed of "
+                      "sound of each phase; write omega auto;"
+            );
+        }
+        return 0;
+    }
+    bounds speed;
+    speed.lower = 0;
+    speed.lowerOpen = true;
+    speed.reason = "it is the speed by which the ground slows what approaches "
+                   "it, and with 0 it would not be there; write auto, or the "
+                   "speed of sound";
+    return readNumber(dict, key, dimVelocity, speed);
+}
+
 groundZone readZone(const dictionary& dict)
 {
     groundZone zone;
@@ -37,17 +70,39 @@ groundContact::groundContact(
     : ground_(theGround), elementSpacing_(elementSpacing), reach_(reach),
       planeThickness_(planeThickness), planeNormal_(planeNormal)
 {
-    allowOnly(
-        boundaryProperties, {"contact", "zones", "planeStrain", "cyclic"}
-    );
-    readChoice(
-        boundaryProperties, "contact", {"signedDistance"}, "signedDistance"
-    );
+    readContact(boundaryProperties);
     readZones(neededDictionary(
         boundaryProperties,
         "zones",
         "write zones { <zone> { friction Coulomb; mu 0.5; } }"
     ));
+}
+
+bool groundContact::asksPenalty(const dictionary& boundaryProperties)
+{
+    return readChoice(
+               boundaryProperties,
+               "contact",
+               {"signedDistance", "penalty"},
+               "signedDistance"
+           )
+        == "penalty";
+}
+
+void groundContact::readContact(const dictionary& boundaryProperties)
+{
+    const word coeffs("penaltyCoeffs");
+    allowOnly(
+        boundaryProperties,
+        {"contact", "zones", "planeStrain", "cyclic"},
+        {"penalty"}
+    );
+    if (!asksPenalty(boundaryProperties))
+    {
+        return;
+    }
+    const dictionary* numbers = optionalDictionary(boundaryProperties, coeffs);
+    penalty_.reset(new penaltyCoefficients{numbers ? readOmega(*numbers) : 0});
 }
 
 void groundContact::readZones(const dictionary& zones)
@@ -251,6 +306,12 @@ void groundContact::present(lpfPairs::stickPass& pass) const
 {
     presentElements(pass);
     pass.area = stickArea_.data();
+}
+
+void groundContact::present(lpfPairs::penaltyPass& pass) const
+{
+    presentElements(pass);
+    pass.area = area_.data();
 }
 
 groundHit groundContact::signedDistance(const point& x, scalar radius) const

@@ -2,7 +2,6 @@
 #include "phaseDynamics.H"
 
 #include "coulomb.H"
-#include "orderedSum.H"
 
 namespace Foam
 {
@@ -154,6 +153,36 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
         0.5 * m * (magSqr(before) - magSqr(stopped)) + m * (scene_.g & move);
     s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
     return true;
+}
+
+// What the penalty leaves of the approach goes no further than (T 4.7) would
+// set it back to                                                     (T 4.21)
+vector phaseDynamics::stopped(int i, const vector& U, scalar dt) const
+{
+    if (!mayTouchGround(i, U * dt))
+    {
+        return U;
+    }
+    const groundHit hit =
+        contact_.signedDistance(at(particles_.x, i), scene_.spacing);
+    if (!hit.found)
+    {
+        return U;
+    }
+    const scalar room =
+        max(scalar(0), hit.distance - contactShare * scene_.spacing);
+    return U + max(scalar(0), -(U & hit.normal) - room / dt) * hit.normal;
+}
+
+penaltyGround::neighbourhood phaseDynamics::aroundGround() const
+{
+    return {
+        cells_.grid,
+        elementsAround_.get(),
+        particles_.x,
+        slot_,
+        particles_.size(),
+        nSlots_};
 }
 
 void phaseDynamics::drift(scalar dt, scalar time)
@@ -378,7 +407,8 @@ std::size_t phaseDynamics::bytes() const
     return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
          + elementsAround_.size().neighbours
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
-         + cells_.start.capacity() * sizeof(int);
+         + cells_.start.capacity() * sizeof(int)
+         + (penalty_ ? penalty_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -81,6 +81,8 @@ waterDynamics::waterDynamics(
       ),
       water(withGrains, scheme.groundLag > 0)
 {
+    penalty_ = penaltyGround::forPhase(engine, scene_, contact, state.c0());
+    images_ = penalty_ ? 0 : images_;
     const scalar mu = viscosity.largest();
     const bool felt =
         state.rho0() * state.c0() * scene.h < 10 * viscousKernel * mu;
@@ -234,7 +236,7 @@ void waterDynamics::shearRates()
                     const vector along =
                         square > 0 ? vector(v - (v & g) / square * g) : v;
                     D += (thirdMoment(walls_[slot])
-                          & toVec(2 * gradientScale_ * v))
+                          & toVec(images_ * gradientScale_ * v))
                        + symm(outer(toVec(gradientScale_ * along), toVec(g)));
                 }
                 shearRate_[i] = rateOfShear(D);
@@ -261,7 +263,8 @@ void waterDynamics::addGround()
                     near.areaNormal =
                         gradientScale_ * contracted(thirdMoment(walls_[slot]));
                     water.rate[i] +=
-                        2 * (at(volumeFlux(), i) & toVector(near.areaNormal));
+                        images_
+                        * (at(volumeFlux(), i) & toVector(near.areaNormal));
                 }
             }
         }
@@ -476,6 +479,24 @@ void waterDynamics::pressureOfGround(int i, nearWall& near) const
 
 void waterDynamics::addForcesOfGround()
 {
+    if (penalty_)
+    {
+        addForcesWith(
+            [](int, nearWall& near)
+            {
+                near.force = near.correction = Zero;
+                near.carried = false;
+            }
+        );
+        return;
+    }
+    addForcesWith([&](int i, nearWall& near) { pressureOfGround(i, near); });
+}
+
+//- ground(i, near): what it does to a particle near it
+template<class Ground>
+void waterDynamics::addForcesWith(const Ground& ground)
+{
     lpfPairs::forChunks(
         water.size(),
         [&](int begin, int end, int)
@@ -486,7 +507,7 @@ void waterDynamics::addForcesOfGround()
                 if (slot_[i] >= 0)
                 {
                     nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
-                    pressureOfGround(i, near);
+                    ground(i, near);
                     a += near.force / water.mass[i];
                 }
                 if (withGrains_)
@@ -659,6 +680,24 @@ void waterDynamics::kick(scalar dt)
     kickWith(dt, [](int, const vector& U, const nearWall&) { return U; });
 }
 
+void waterDynamics::pushOffGround(scalar dt)
+{
+    if (!penalty_)
+    {
+        return;
+    }
+    if (resistance_)
+    {
+        pushWith(
+            dt,
+            [&](int i, const vector& U, const vector& n, scalar dv)
+            { return resistance_->after(slot_[i], U, n, 0, dv, 0); }
+        );
+        return;
+    }
+    pushWith(dt, [](int, const vector& U, const vector&, scalar) { return U; });
+}
+
 //- friction(i, U, near): the velocity that the ground leaves
 template<class Friction>
 void waterDynamics::kickWith(scalar dt, const Friction& friction)
@@ -720,6 +759,10 @@ timeStepLimit waterDynamics::stableDeltaT() const
 
 vector waterDynamics::wallForceSum() const
 {
+    if (penalty_)
+    {
+        return penaltyForce();
+    }
     vector total = Zero;
     for (const nearWall& near : near_)
     {

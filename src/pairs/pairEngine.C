@@ -481,13 +481,13 @@ double peak()
     return used > 0 ? count / t.count() : 0;
 }
 
-const pairEngine engine = {LPF_ISA,         nLanes,       lanesOf<float>,
-                           newTable,        deleteTable,  borrowMemory,
-                           searchPairs,     sizeOfTable,  anyKinematics,
-                           anyForce,        anyWall,      waterContinuity,
-                           waterForce,      viscousForce, shearMoments,
-                           stickToGround,   smoothed,     stressGradient,
-                           stressDiffusion, numberListed, peak};
+const pairEngine engine = {
+    LPF_ISA,         nLanes,       lanesOf<float>, newTable,
+    deleteTable,     borrowMemory, searchPairs,    sizeOfTable,
+    anyKinematics,   anyForce,     anyWall,        waterContinuity,
+    waterForce,      viscousForce, shearMoments,   stickToGround,
+    penaltyOfGround, smoothed,     stressGradient, stressDiffusion,
+    numberListed,    peak};
 
 } // namespace
 } // namespace lpfPairs

@@ -1,0 +1,1 @@
+../penaltyPass.C
