@@ -105,8 +105,9 @@ scalar waterDynamics::drawnBack(int i)
 
 // Where grains come or go, the shares of their volume (T 6.1) and the flux of
 // it (T 6.3) do not change a place alike. What that leaves goes as it is made:
-//     rho <- rho (1 + N |dtheta/theta| g(S) (S/S_lattice - 1))       (T 6.22)
-// slower than sound: a density that is tied to the packing makes energy
+//     rho <- rho (1 + N |dtheta/theta| a g(S) (S/S_lattice - 1))     (T 6.22)
+// slower than sound: a density that is tied to the packing makes energy; and
+// a = 1 - 10 gam, not beside ground, where layers are no lattice
 void waterDynamics::seePassage(scalar dt)
 {
     constexpr scalar byPassage = 10, ofSound = 0.1;
@@ -126,7 +127,9 @@ void waterDynamics::seePassage(scalar dt)
             // 0: the first step of all
             const scalar before =
                 water.thetaBefore[i] > 0 ? water.thetaBefore[i] : now;
-            passage_[i] = min(fastest, byPassage / dt * mag(now / before - 1));
+            const scalar rate = byPassage / dt * mag(now / before - 1);
+            const scalar away = 1 - min(scalar(1), 10 * groundShare(i));
+            passage_[i] = away * min(fastest, rate);
             water.thetaBefore[i] = now;
         }
     );
