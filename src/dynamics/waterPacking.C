@@ -128,7 +128,7 @@ void waterDynamics::seePassage(scalar dt)
             const scalar before =
                 water.thetaBefore[i] > 0 ? water.thetaBefore[i] : now;
             const scalar rate = byPassage / dt * mag(now / before - 1);
-            const scalar away = 1 - min(scalar(1), 10 * groundShare(i));
+            const scalar away = 1 - std::clamp(10 * groundShare(i), 0.0, 1.0);
             passage_[i] = away * min(fastest, rate);
             water.thetaBefore[i] = now;
         }

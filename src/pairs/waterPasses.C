@@ -31,6 +31,23 @@ constexpr int continuityFields(bool withStrain)
 }
 constexpr int ownVelocity = 8;
 
+template<class T>
+LPF_INLINE auto sumsOf(const Continuity<T>& total, const Filling<T>& filling)
+{
+    const Vec<T>&curl = total.curl, &gradient = filling.gradient;
+    return sums(
+        total.divergence,
+        total.diffusion,
+        curl.x,
+        curl.y,
+        curl.z,
+        filling.fill,
+        gradient.x,
+        gradient.y,
+        gradient.z
+    );
+}
+
 template<bool withFill, bool withStrain, class Around>
 LPF_ONE_BODY void
 continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
@@ -75,17 +92,7 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
         }
     );
 
-    const auto all = sums(
-        total.divergence,
-        total.diffusion,
-        total.curl.x,
-        total.curl.y,
-        total.curl.z,
-        filling.fill,
-        filling.gradient.x,
-        filling.gradient.y,
-        filling.gradient.z
-    );
+    const auto all = sumsOf(total, filling);
     p.divergence[i] = all[0];
     p.diffusion[i] = all[1];
     p.curl[i] = squareRoot(magSqr(Vec<double>{all[2], all[3], all[4]}));
@@ -254,6 +261,13 @@ LPF_INLINE T viscousForce(
     return force;
 }
 
+template<class T>
+LPF_INLINE auto
+sumsOf(const Vec<T>& a, const Vec<T>& b, const lostPower<T>& lost)
+{
+    return sums(a.x, a.y, a.z, b.x, b.y, b.z, lost.artificial, lost.viscous);
+}
+
 template<friction kind, class Around>
 LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
 {
@@ -292,16 +306,7 @@ LPF_ONE_BODY void forceOnWater(const waterForcePass& p, Around& around, int i)
         }
     );
 
-    const auto all = sums(
-        pressures.x,
-        pressures.y,
-        pressures.z,
-        frictions.x,
-        frictions.y,
-        frictions.z,
-        lost.artificial,
-        lost.viscous
-    );
+    const auto all = sumsOf(pressures, frictions, lost);
     double* const a[3] = {p.ax + i, p.ay + i, p.az + i};
     for (std::size_t c = 0; c < 3; ++c)
     {
