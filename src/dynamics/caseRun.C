@@ -480,8 +480,9 @@ void caseRun::printArtificialShare() const
 {
     constexpr scalar most = 0.05;
     const balance& b = booked_;
+    // diffusion and shifting may make energy: that is the scheme's, too
     const scalar artificial =
-        b.artificial + b.diffusion + b.projection + mag(b.shifting);
+        b.artificial + mag(b.diffusion) + b.projection + mag(b.shifting);
     const scalar all =
         b.plastic + b.friction + b.viscous + b.drag + b.separation + artificial;
     if (!(all > 0))
