@@ -9,8 +9,9 @@ pour      grains fall into a tank of water: its level rises by Vs/A, 2 %, while
           they sink and when they lie; density by rate and by sum agree
 level     water fills the lower half of a bed, all of it at the same height, or
           higher on one side: it comes to rest within one spacing
+pores     water that drains from pores that are six tenths full makes no energy
 alone     each phase moves as if the other did not exist where it is far away
-Usage: test slab|pour|level|alone
+Usage: test slab|pour|level|pores|alone
 
 Settling and Ergun: tests/unit/interphaseTest.C.
 """
@@ -337,6 +338,30 @@ def levels():
         return sum(pool.map(level, beds()), [])
 
 
+# ---------------------------------------------------------------- pores
+
+def pores():
+    case = Case(os.path.abspath("case.pores"))
+    write(case, {
+        "zones": "floor { friction Coulomb; mu 0.5; } walls { friction none; }",
+        "ground": floor(0, SIDE, 0, SIDE) + walls(0, SIDE, 0, SIDE, 0, BED),
+        "release": box("bed", (0, 0, 0), (SIDE, SIDE, BED / 2), WET.replace(
+            "saturation 1", "saturation 0.6")),
+        "diameter": 0.005, "maxSpeed": 0.5, "end": 0.15, "interval": 0.15,
+    })
+    run(case)
+    table = case.table()
+    heat = {n: table[n][-1] for n in ("diffusion", "drag", "unexplained")}
+    return [
+        (abs(heat["diffusion"]) < 0.1 * heat["drag"],
+         "pores: diffusion %.1e J, drag %.1e J (a tenth)"
+         % (heat["diffusion"], heat["drag"])),
+        (abs(heat["unexplained"]) < 0.005 * heat["drag"],
+         "pores: energy unexplained %.1e J (0.5 %% of drag)"
+         % heat["unexplained"]),
+    ]
+
+
 # ---------------------------------------------------------------- alone
 
 # scene, passes over pairs and over the ground a step, bytes a particle: 144 of
@@ -411,7 +436,8 @@ def alone():
     ]
 
 
-KINDS = {"slab": slabs, "pour": pour, "level": levels, "alone": alone}
+KINDS = {"slab": slabs, "pour": pour, "level": levels, "pores": pores,
+         "alone": alone}
 
 
 def main():
