@@ -9,7 +9,8 @@ pour      grains fall into a tank of water: its level rises by Vs/A, 2 %, while
           they sink and when they lie; density by rate and by sum agree
 level     water fills the lower half of a bed, all of it at the same height, or
           higher on one side: it comes to rest within one spacing
-pores     water that drains from pores that are six tenths full makes no energy
+pores     water that drains from pores six tenths full: what diffusion of density
+          makes or takes is below a tenth of drag, and the ledger closes
 alone     each phase moves as if the other did not exist where it is far away
 Usage: test slab|pour|level|pores|alone
 
