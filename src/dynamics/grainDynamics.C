@@ -651,6 +651,8 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 s.friction = m * (U - sliding);
                 // at the mean velocity of the kick: none where it sticks
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
+                const vector tension = near.carried ? Zero : dt * f;
+                lost(i, (s.friction - tension) / m);
             }
             set(grains.U, i, U);
             return s;
@@ -664,6 +666,11 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
     ledger.friction += sums.frictionEnergy;
     ledger.wallTension += sums.tension;
     ledger.artificial += (viscousPowerSum_ + dampingPower_) * dt;
+}
+
+void grainDynamics::takeDrag(realArrays<3>& dU, scalar sign, scalar dt)
+{
+    takeDragWith(dU, sign, dt, [](int) { return vector(Zero); });
 }
 
 namespace

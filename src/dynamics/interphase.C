@@ -502,30 +502,7 @@ void interphase::distribute(
         p.out[c] = dragForce[c].data();
     }
     engine_.smooth(p);
-    impart(to, sign, dragForce, dt);
-}
-
-// Work of an impulse: on the mean of the velocities before the kick that went
-// with it and after both, as the leapfrog does work
-void interphase::impart(
-    phaseDynamics& to, scalar sign, realArrays<3>& dU, scalar dt
-)
-{
-    particleStore& particles = to.particles();
-    to.ledger.drag +=
-        orderedSum<sumOf<scalar>>(
-            particles.size(),
-            [&](int i)
-            {
-                const vector change = sign * at(dU, i);
-                const vector U = at(particles.U, i) + change;
-                const vector before = U - change - dt * at(particles.a, i);
-                set(particles.U, i, U);
-                set(dU, i, change / dt);
-                return sumOf<scalar>{
-                    -0.5 * particles.mass[i] * (change & (before + U))};
-            }
-        ).value;
+    to.takeDrag(dragForce, sign, dt);
 }
 
 // Sound in the mixture

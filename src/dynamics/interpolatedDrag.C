@@ -103,8 +103,8 @@ void interphase::interpolatedDrag(scalar dt)
     lpfPairs::forEach(
         water.size(), [&](int a) { set(water.drag, a, changeOfWater(a, dt)); }
     );
-    impart(grains_, 1, grains.drag, dt);
-    impart(water_, 1, water.drag, dt);
+    grains_.takeDrag(grains.drag, 1, dt);
+    water_.takeDrag(water.drag, 1, dt);
 }
 
 } // namespace lpf

@@ -75,6 +75,22 @@ void phaseDynamics::seeGround(bool withShare)
     p.slot = slot_.data();
     p.sums = walls_.data();
     engine_.wall(p);
+    markStart();
+}
+
+void phaseDynamics::markStart()
+{
+    renew(steps_, static_cast<std::size_t>(nSlots_));
+    lpfPairs::forEach(
+        particles_.size(),
+        [&](int i)
+        {
+            if (slot_[i] >= 0)
+            {
+                stepOf(i) = {at(particles_.U, i), Zero};
+            }
+        }
+    );
 }
 
 namespace
@@ -131,8 +147,11 @@ bool phaseDynamics::mayTouchGround(int i, const vector& step) const
 }
 
 // A particle that would come nearer to the ground than a tenth of the spacing
-// is set back and loses its approach, with friction on that impulse  (T 4.7)
-bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
+// is set back and loses its approach, with friction on that impulse  (T 4.7).
+// It was moved by dt of the velocity before
+bool phaseDynamics::setBack(
+    int i, scalar dt, vector& x, vector& U, driftSums& s
+)
 {
     const scalar closest = contactShare * scene_.spacing;
     const groundHit hit = contact_.signedDistance(x, scene_.spacing);
@@ -140,6 +159,7 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
     {
         return false;
     }
+    const scalar m = particles_.mass[i];
     const vector before = U;
     const vector move = (closest - hit.distance) * hit.normal;
     const scalar approach = max(scalar(0), -(U & hit.normal));
@@ -149,9 +169,11 @@ bool phaseDynamics::setBack(scalar m, vector& x, vector& U, driftSums& s) const
     s.impulse += m * approach * hit.normal;
     s.normal += m * approach;
     s.friction += m * (U - stopped);
-    s.energy +=
-        0.5 * m * (magSqr(before) - magSqr(stopped)) + m * (scene_.g & move);
-    s.frictionEnergy += 0.5 * m * (magSqr(stopped) - magSqr(U));
+    nearStep& step = stepOf(i);
+    s.energy += step.lossBy(m, stopped - before, stopped)
+              + m * (scene_.g & (move - dt * (stopped - before)));
+    s.frictionEnergy +=
+        step.lossBy(m, U - stopped, U) - dt * m * (scene_.g & (U - stopped));
     return true;
 }
 
@@ -216,6 +238,7 @@ void phaseDynamics::driftFreely(scalar dt)
 void phaseDynamics::goToEnd()
 {
     particles_.U.swap(particles_.UStart);
+    markStart();
 }
 
 void phaseDynamics::driftOn(scalar dt, scalar time)
@@ -234,7 +257,6 @@ void phaseDynamics::move(const realArrays<3>& velocity, scalar dt, scalar end)
         [&](int i)
         {
             driftSums s;
-            const scalar m = particles_.mass[i];
             vector U = at(particles_.U, i);
             const vector step = at(velocity, i) * dt;
             vector x = at(particles_.x, i) + step;
@@ -242,7 +264,7 @@ void phaseDynamics::move(const realArrays<3>& velocity, scalar dt, scalar end)
             bool touches = mayTouchGround(i, step);
             for (int k = 0; touches && k < corners; ++k)
             {
-                touches = setBack(m, x, U, s);
+                touches = setBack(i, dt, x, U, s);
             }
 
             set(particles_.x, i, x);
@@ -407,6 +429,7 @@ std::size_t phaseDynamics::bytes() const
     return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
          + elementsAround_.size().neighbours
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
+         + steps_.capacity() * sizeof(nearStep)
          + cells_.start.capacity() * sizeof(int)
          + (penalty_ ? penalty_->bytes() : 0);
 }

@@ -656,7 +656,7 @@ vector
 waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
 {
     const vector half = 0.5 * (after - before);
-    return withGrains_ ? vector(at(water.flux, i) + water.theta[i] * half)
+    return withGrains_ ? vector(at(water.flux, i) + ownShare(i) * half)
                        : vector(before + half);
 }
 
@@ -722,6 +722,12 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
                 s.friction = water.mass[i] * (U - sliding);
                 // at the mean velocity of the kick, as for grains
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
+                lost(
+                    i,
+                    (s.friction + dt * ownShare(i) * near.correction)
+                            / water.mass[i]
+                        + dt * at(water.friction, i)
+                );
             }
             set(water.U, i, U);
             // viscous and artificial force together, at that velocity, too
@@ -740,6 +746,11 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
     ledger.viscous += (1 - share) * sums.heat;
     ledger.frictionImpulse += dt * stickForce_ + sums.friction;
     ledger.friction += sums.frictionEnergy;
+}
+
+void waterDynamics::takeDrag(realArrays<3>& dU, scalar sign, scalar dt)
+{
+    takeDragWith(dU, sign, dt, [&](int i) { return at(water.friction, i); });
 }
 
 timeStepLimit waterDynamics::stableDeltaT() const
