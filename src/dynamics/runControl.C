@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 
+#include <charconv>
 #include <csignal>
 
 namespace Foam
@@ -328,6 +329,21 @@ void runControl::readIfModified()
     FatalIOError.throwExceptions(throwing);
 }
 
+// Time of the n-th write, the number that its decimal says: an endTime of 0.3
+// is that, 3*0.1 is 0.30000000000000004
+scalar runControl::multiple(scalar n) const
+{
+    constexpr int digits = 15; // all that a double keeps of any decimal
+    const scalar product = n * writeInterval_;
+    scalar decimal = product;
+    char text[40];
+    const auto written = std::to_chars(
+        text, text + sizeof(text), product, std::chars_format::general, digits
+    );
+    std::from_chars(text, written.ptr, decimal);
+    return decimal;
+}
+
 scalar runControl::step(scalar stable)
 {
     scalar dt = min(stable, maxDeltaT);
@@ -338,9 +354,7 @@ scalar runControl::step(scalar stable)
     scalar next = endTime_;
     if (writeControl_ == "adjustableRunTime")
     {
-        next =
-            min(next,
-                writeInterval_ * (floor(time / writeInterval_ + 1e-9) + 1));
+        next = min(next, multiple(floor(time / writeInterval_ + 1e-9) + 1));
     }
     const scalar steps = ceil((next - time) / dt - 1e-9);
     deltaT = steps <= 3 ? (next - time) / steps : dt;
@@ -363,7 +377,7 @@ void runControl::advance()
     ++index;
 
     // no rounding may pile up: a time that was aimed at is met to the bit
-    const scalar nearest = writeInterval_ * round(time / writeInterval_);
+    const scalar nearest = multiple(round(time / writeInterval_));
     if (writeControl_ == "timeStep")
     {
         atWriteTime_ = index % label(writeInterval_) == 0;
