@@ -362,6 +362,7 @@ void caseRun::writeState(const fileName& dir, const word& time) const
             phases[static_cast<std::size_t>(k)]->ledger.state()
         );
     }
+    state.set("digits", control_.digits());
     OFstream os(dir / "uniform" / "lpfState");
     os.precision(17);
     os << "FoamFile" << nl << "{" << nl << "    version 2.0;" << nl

@@ -148,12 +148,57 @@ void checkPositive(
     }
 }
 
-//- Fields without which there is no state; from a run, all that it wrote
+//- FatalIOError where theta is no share of a volume; 0: not seen yet, in the
+//  first step of all
+void checkTheta(
+    const cloudState& cloud, const fileName& directory, const string& remedy
+)
+{
+    const auto theta = cloud.scalars.cfind("theta");
+    if (!theta.found())
+    {
+        return;
+    }
+    forAll (theta.val(), i)
+    {
+        const scalar share = theta.val()[i];
+        if (share < 0 || share > 1)
+        {
+            refuseFile(
+                directory / "theta",
+                "Particle " + Foam::name(i) + " has a theta of "
+                    + Foam::name(share)
+                    + ": it is the share of the volume around it that is not "
+                      "grains, from 0 to 1. "
+                    + remedy
+            );
+        }
+    }
+}
+
+string remedyOf(const bool continued, const wordList& missing)
+{
+    if (!continued)
+    {
+        return "Run terrainToParticles again";
+    }
+    string remedy("Go on from an earlier time");
+    if (missing.found("lag"))
+    {
+        remedy += ", or write groundLag 0; in water of system/lpfSolution, "
+                  "where the run so far had none";
+    }
+    return remedy;
+}
+
+//- Fields without which there is no state; from a run, also the scalars that
+//  it has made
 void checkFields(
     const cloudState& cloud,
     const fileName& dir,
     const word& phase,
-    const bool continued
+    const bool continued,
+    const wordList& made
 )
 {
     wordList missing;
@@ -173,29 +218,23 @@ void checkFields(
     if (phase == "grains")
     {
         need(cloud.symmTensors, {"sigma"});
-        if (continued || cloud.scalars.found("rhoRef"))
-        {
-            need(cloud.scalars, {"rho", "rhoRef", "I"});
-        }
     }
     else
     {
         need(cloud.scalars, {"p", "S"});
-        if (continued)
-        {
-            need(cloud.scalars, {"rho"});
-        }
+    }
+    if (continued || cloud.scalars.found("rhoRef"))
+    {
+        need(cloud.scalars, made);
     }
     const fileName file(dir / "lagrangian" / phase);
-    const string remedy(
-        continued ? "Go on from an earlier time"
-                  : "Run terrainToParticles again"
-    );
+    const string remedy(remedyOf(continued, missing));
     if (missing.size())
     {
         refuseFile(file / missing[0], "The file does not exist\n" + remedy);
     }
     checkPositive(cloud, file, remedy);
+    checkTheta(cloud, file, remedy);
 }
 
 //- FatalIOError where the particles are not those of the present release
@@ -1038,6 +1077,46 @@ void caseRun::checkRelease(const dictionary& state) const
     }
 }
 
+// Scalars of a phase that are state and not there at the start
+wordList caseRun::madeByRun(const word& phase) const
+{
+    if (phase == "grains")
+    {
+        return {"rho", "rhoRef", "I"};
+    }
+    wordList made({"rho"});
+    if (has("grains"))
+    {
+        made.append("theta");
+    }
+    if (waterScheme_.groundLag > 0)
+    {
+        made.append("lag");
+    }
+    return made;
+}
+
+// Rounded masses do not close, rounded positions are another flow
+void caseRun::checkDigits(const dictionary& state)
+{
+    constexpr label all = runControl::allDigits;
+    const label digits = state.getOrDefault<label>("digits", all);
+    if (digits < all)
+    {
+        refuse(
+            state,
+            "digits",
+            "This time was written as ascii with writePrecision "
+                + Foam::name(digits)
+                + ": a state needs all 17 digits of a number, a run from "
+                  "rounded ones is another one and its mass does not close. "
+                  "Write writeFormat binary; or writePrecision 17; in "
+                  "system/controlDict and start again from time 0 or from a "
+                  "time that has all digits (startFrom startTime;)"
+        );
+    }
+}
+
 void caseRun::readState()
 {
     const fileName dir = control_.path(control_.startTime());
@@ -1047,12 +1126,13 @@ void caseRun::readState()
     continued_ = !state.empty();
 
     checkRelease(state);
+    checkDigits(state);
 
     pointField all;
     for (const word& name : names_)
     {
         const cloudState cloud(readCloud(dir, name));
-        checkFields(cloud, dir, name, continued_);
+        checkFields(cloud, dir, name, continued_, madeByRun(name));
         checkSmoothing(
             cloud, dir, name, name == "grains" ? scene_.h : waterScene_.h
         );

@@ -61,7 +61,7 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
     readTimes(dict);
     readFormat(dict);
     timePrecision_ = readInteger(
-        dict, "timePrecision", 1, 17, "a double has at most 17 digits", 6
+        dict, "timePrecision", 1, allDigits, "a double has at most 17 digits", 6
     );
     purgeWrite_ = readInteger(
         dict,
@@ -165,18 +165,26 @@ void runControl::readFormat(const dictionary& dict)
             : IOstreamOption::UNCOMPRESSED
     );
     const label digits = readInteger(
-        dict, "writePrecision", 1, 17, "a double has at most 17 digits", 6
+        dict,
+        "writePrecision",
+        1,
+        allDigits,
+        "a double has at most 17 digits",
+        6
     );
-    if (format_.format() == IOstream::ASCII)
+    if (format_.format() != IOstream::ASCII)
     {
-        IOstream::defaultPrecision(unsigned(digits));
+        return;
     }
-    if (format_.format() == IOstream::ASCII && digits < 17)
+    digits_ = digits;
+    IOstream::defaultPrecision(unsigned(digits));
+    if (digits < allDigits)
     {
         WarningInFunction
             << "writeFormat ascii keeps " << digits
-            << " digits: a restart will not go on with the same bits. "
-            << "Write binary for that" << endl;
+            << " digits of a number: no run can go on from the times that are "
+            << "written. Write writeFormat binary; or writePrecision 17; for "
+            << "that" << endl;
     }
 }
 
