@@ -448,13 +448,13 @@ void caseRun::printLedger() const
         line("shifting        ", b.shifting);
     }
     line("artificial      ", b.artificial);
-    line("contact         ", b.projection);
+    line("contact loss    ", b.projection);
     line("wall terms      ", b.wallTension);
     line("with leavers    ", b.left);
     line("unexplained     ", b.unexplained(now_));
     Info << "    momentum    unexplained " << mag(b.unexplainedMomentum(now_))
          << " N s of " << mag(b.gravityImpulse) << " N s of gravity" << nl
-         << "    contact     "
+         << "                contact impulse "
          << (b.wallNormalImpulse > 0
                  ? 100 * b.projectionNormalImpulse / b.wallNormalImpulse
                  : 0)

@@ -742,7 +742,8 @@ void caseRun::printPenalty() const
                 .c_str()
          << ". It resists approach alone, so that what rests sinks until it is "
          << "stopped at " << contactShare << " of a spacing: look at contact "
-         << "in the ledger. There is nothing behind the ground, so that stress "
+         << "loss and contact impulse in the ledger. There is nothing behind "
+            "the ground, so that stress "
          << "and pressure of the lowest layers are not to be used. contact "
          << "signedDistance has neither fault" << nl << endl;
 }
