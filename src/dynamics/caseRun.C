@@ -479,7 +479,7 @@ void caseRun::warnOfUnexplained() const
 // What the scheme takes beside the laws of the materials
 void caseRun::printArtificialShare() const
 {
-    constexpr scalar most = 0.05;
+    constexpr scalar most = 0.05, least = 0.01;
     const balance& b = booked_;
     // diffusion and shifting may make energy: that is the scheme's, too
     const scalar artificial =
@@ -490,9 +490,18 @@ void caseRun::printArtificialShare() const
     {
         return;
     }
+    // at rest nothing is released that could be lost: the scheme gives and
+    // takes
+    word scaleName;
+    const scalar scale = energyScale(scaleName);
+    const bool matters = scaleName == "released" && all >= least * scale;
     Info << "Artificial viscosity, diffusion, shifting and contact: "
-         << 100 * artificial / all << " % of all dissipation" << nl;
-    if (artificial > most * all)
+         << 100 * artificial / all << " % of all dissipation"
+         << (matters ? ""
+                     : ", which does not matter: less than 1 % of m g "
+                       "releaseHeight was released, or of that dissipated")
+         << nl;
+    if (matters && artificial > most * all)
     {
         WarningInFunction
             << "More than 5 % of the dissipation is the scheme's, not the "
