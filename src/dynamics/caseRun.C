@@ -363,6 +363,9 @@ void caseRun::writeState(const fileName& dir, const word& time) const
         );
     }
     state.set("digits", control_.digits());
+    state.set("phases", names);
+    setExact(state, "g", scene_.g);
+    state.set("ground", groundFingerprint_);
     OFstream os(dir / "uniform" / "lpfState");
     os.precision(17);
     os << "FoamFile" << nl << "{" << nl << "    version 2.0;" << nl

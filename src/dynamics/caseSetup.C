@@ -3,6 +3,7 @@
 
 #include "engineLoader.H"
 #include "inputCheck.H"
+#include "releaseCheck.H"
 #include "sceneFrame.H"
 #include "uniformTime.H"
 
@@ -102,10 +103,19 @@ const lpfPairs::pairEngine& engineNamed(const word& instructionSet)
     }
 }
 
-const char* const otherRelease =
-    "this time is of a run with other particles than terrainToParticles wrote "
-    "last. Remove the old times (foamListTimes -rm), or write startFrom "
-    "startTime; startTime 0;";
+const char* const remedyOfOldTimes =
+    "Remove the old times (foamListTimes -rm), or write startFrom startTime; "
+    "startTime 0;";
+
+string listed(const wordList& words)
+{
+    string all;
+    for (const word& w : words)
+    {
+        all += (all.empty() ? "(" : " ") + w;
+    }
+    return all + ")";
+}
 
 //- Stop with what is wrong with a file of the state
 [[noreturn]] void refuseFile(const fileName& file, const string& message)
@@ -255,7 +265,8 @@ void checkSmoothing(
                 dir / "lagrangian" / phase / "h",
                 "The smoothing length of these particles is " + Foam::name(h)
                     + " m, that of constant/releaseProperties "
-                    + Foam::name(smoothingLength) + " m: " + otherRelease
+                    + Foam::name(smoothingLength)
+                    + " m: this time is of another spacing. " + remedyOfOldTimes
             );
         }
     }
@@ -297,6 +308,7 @@ caseRun::caseRun(const fileName& caseDir)
     readPhases();
     checkDensities();
     ground_ = ground::read(caseDir);
+    groundFingerprint_ = ground::fingerprint(caseDir);
     readScene();
     makeContact();
     const lpfPairs::pairEngine& engine = engineNamed(isa);
@@ -1061,20 +1073,43 @@ void caseRun::readWater(const cloudState& cloud)
     }
 }
 
-// The same spacing is not the same release
-void caseRun::checkRelease(const dictionary& state) const
+void caseRun::checkPhases(const dictionary& state) const
 {
-    const word mine = release_.getOrDefault<word>("fingerprint", word());
-    const word its = state.getOrDefault<word>("release", mine);
-    if (!mine.empty() && its != mine)
+    const wordList now(flow_.names());
+    const wordList before(state.getOrDefault<wordList>("phases", now));
+    if (now != before)
     {
         refuse(
             state,
-            "release",
-            "The state has the release " + its
-                + ", constant/releaseProperties has " + mine + ": "
-                + otherRelease
+            "phases",
+            "The run up to this time had the phases " + listed(before)
+                + ", constant/phaseProperties has " + listed(now)
+                + ": a state has all of its phases or none. Take the change "
+                  "back, or start from time 0: startFrom startTime; startTime "
+                  "0;"
         );
+    }
+}
+
+// What may be meant, but is another scene than the one the run began with
+void caseRun::warnOfChanges(const dictionary& state) const
+{
+    const vector g = state.getOrDefault<vector>("g", scene_.g);
+    if (g != scene_.g)
+    {
+        WarningInFunction
+            << "constant/g is " << scene_.g << " m/s2, in the run up to this "
+            << "time it was " << g << ": the run goes on with the new one. The "
+            << "potential energy jumps by that, which the ledger shows as "
+            << "unexplained" << endl;
+    }
+    if (state.getOrDefault<word>("ground", groundFingerprint_)
+        != groundFingerprint_)
+    {
+        WarningInFunction
+            << "constant/terrain is not the ground of the run up to this time: "
+            << "the run goes on over the new one, which sets back what stands "
+            << "behind it. If that is not meant, start from time 0" << endl;
     }
 }
 
@@ -1126,8 +1161,11 @@ void caseRun::readState()
         isFile(stateFile) ? readDictionary(stateFile) : dictionary();
     continued_ = !state.empty();
 
-    checkRelease(state);
+    // the same spacing is not the same release
+    checkFingerprint(state, release_, remedyOfOldTimes);
     checkDigits(state);
+    checkPhases(state);
+    warnOfChanges(state);
 
     pointField all;
     for (const word& name : names_)
