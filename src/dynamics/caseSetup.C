@@ -6,6 +6,7 @@
 #include "releaseCheck.H"
 #include "sceneFrame.H"
 #include "uniformTime.H"
+#include "waveSpeeds.H"
 
 #include <omp.h>
 
@@ -814,16 +815,9 @@ void caseRun::checkWaveSpeed(const dictionary& coeffs, const elasticity& e)
 void caseRun::makeWater(const lpfPairs::pairEngine& engine)
 {
     const dictionary& phase = phases_.subDict("water");
-    const stiffnessScale s = scale();
-    soundSpeedScale sound;
-    sound.gH = s.gH;
-    sound.maxSpeed = s.maxSpeed;
-    if (has("grains"))
-    {
-        const elasticity& e = flow_.rheology->elastic();
-        sound.skeleton = e.K() + 4 * e.G() / 3;
-        sound.porosity = 1 - s.rhoBulk / grainDensity_;
-    }
+    const elasticity* skeleton =
+        has("grains") ? &flow_.rheology->elastic() : nullptr;
+    const soundSpeedScale sound = soundScale(scale(), skeleton, grainDensity_);
     flow_.state.reset(equationOfState::New(phase, sound).ptr());
     flow_.viscosity.reset(viscosityModel::New(phase).ptr());
     chooseViscosityIntegration();
