@@ -187,6 +187,26 @@ void checkTheta(
     }
 }
 
+//- FatalIOError where a run has written a time, but its state is gone: it would
+//  start anew, with another density and an empty ledger
+void checkStart(const cloudState& cloud, const fileName& stateFile)
+{
+    for (const word& name : {word("rho"), word("rhoRef")})
+    {
+        if (cloud.scalars.found(name))
+        {
+            refuseFile(
+                stateFile,
+                "The file does not exist, but the particles beside it have a "
+                    + name
+                    + ", as a run writes it: it cannot go on without its "
+                      "ledger "
+                      "and its time step\nGo on from an earlier time"
+            );
+        }
+    }
+}
+
 string remedyOf(const bool continued, const wordList& missing)
 {
     if (!continued)
@@ -234,7 +254,7 @@ void checkFields(
     {
         need(cloud.scalars, {"p", "S"});
     }
-    if (continued || cloud.scalars.found("rhoRef"))
+    if (continued)
     {
         need(cloud.scalars, made);
     }
@@ -1165,6 +1185,10 @@ void caseRun::readState()
     for (const word& name : names_)
     {
         const cloudState cloud(readCloud(dir, name));
+        if (!continued_)
+        {
+            checkStart(cloud, stateFile);
+        }
         checkFields(cloud, dir, name, continued_, madeByRun(name));
         checkSmoothing(
             cloud, dir, name, name == "grains" ? scene_.h : waterScene_.h
