@@ -3,8 +3,10 @@
 
 #include "engineLoader.H"
 #include "inputCheck.H"
+#include "releaseCheck.H"
 #include "sceneFrame.H"
 #include "uniformTime.H"
+#include "waveSpeeds.H"
 
 #include <omp.h>
 
@@ -102,10 +104,19 @@ const lpfPairs::pairEngine& engineNamed(const word& instructionSet)
     }
 }
 
-const char* const otherRelease =
-    "this time is of a run with other particles than terrainToParticles wrote "
-    "last. Remove the old times (foamListTimes -rm), or write startFrom "
-    "startTime; startTime 0;";
+const char* const remedyOfOldTimes =
+    "Remove the old times (foamListTimes -rm), or write startFrom startTime; "
+    "startTime 0;";
+
+string listed(const wordList& words)
+{
+    string all;
+    for (const word& w : words)
+    {
+        all += (all.empty() ? "(" : " ") + w;
+    }
+    return all + ")";
+}
 
 //- Stop with what is wrong with a file of the state
 [[noreturn]] void refuseFile(const fileName& file, const string& message)
@@ -148,12 +159,77 @@ void checkPositive(
     }
 }
 
-//- Fields without which there is no state; from a run, all that it wrote
+//- FatalIOError where theta is no share of a volume; 0: not seen yet, in the
+//  first step of all
+void checkTheta(
+    const cloudState& cloud, const fileName& directory, const string& remedy
+)
+{
+    const auto theta = cloud.scalars.cfind("theta");
+    if (!theta.found())
+    {
+        return;
+    }
+    forAll (theta.val(), i)
+    {
+        const scalar share = theta.val()[i];
+        if (share < 0 || share > 1)
+        {
+            refuseFile(
+                directory / "theta",
+                "Particle " + Foam::name(i) + " has a theta of "
+                    + Foam::name(share)
+                    + ": it is the share of the volume around it that is not "
+                      "grains, from 0 to 1. "
+                    + remedy
+            );
+        }
+    }
+}
+
+//- FatalIOError where a run has written a time, but its state is gone: it would
+//  start anew, with another density and an empty ledger
+void checkStart(const cloudState& cloud, const fileName& stateFile)
+{
+    for (const word& name : {word("rho"), word("rhoRef")})
+    {
+        if (cloud.scalars.found(name))
+        {
+            refuseFile(
+                stateFile,
+                "The file does not exist, but the particles beside it have a "
+                    + name
+                    + ", as a run writes it: it cannot go on without its "
+                      "ledger "
+                      "and its time step\nGo on from an earlier time"
+            );
+        }
+    }
+}
+
+string remedyOf(const bool continued, const wordList& missing)
+{
+    if (!continued)
+    {
+        return "Run terrainToParticles again";
+    }
+    string remedy("Go on from an earlier time");
+    if (missing.found("lag"))
+    {
+        remedy += ", or write groundLag 0; in water of system/lpfSolution, "
+                  "where the run so far had none";
+    }
+    return remedy;
+}
+
+//- Fields without which there is no state; from a run, also the scalars that
+//  it has made
 void checkFields(
     const cloudState& cloud,
     const fileName& dir,
     const word& phase,
-    const bool continued
+    const bool continued,
+    const wordList& made
 )
 {
     wordList missing;
@@ -173,29 +249,23 @@ void checkFields(
     if (phase == "grains")
     {
         need(cloud.symmTensors, {"sigma"});
-        if (continued || cloud.scalars.found("rhoRef"))
-        {
-            need(cloud.scalars, {"rho", "rhoRef", "I"});
-        }
     }
     else
     {
         need(cloud.scalars, {"p", "S"});
-        if (continued)
-        {
-            need(cloud.scalars, {"rho"});
-        }
+    }
+    if (continued)
+    {
+        need(cloud.scalars, made);
     }
     const fileName file(dir / "lagrangian" / phase);
-    const string remedy(
-        continued ? "Go on from an earlier time"
-                  : "Run terrainToParticles again"
-    );
+    const string remedy(remedyOf(continued, missing));
     if (missing.size())
     {
         refuseFile(file / missing[0], "The file does not exist\n" + remedy);
     }
     checkPositive(cloud, file, remedy);
+    checkTheta(cloud, file, remedy);
 }
 
 //- FatalIOError where the particles are not those of the present release
@@ -216,7 +286,8 @@ void checkSmoothing(
                 dir / "lagrangian" / phase / "h",
                 "The smoothing length of these particles is " + Foam::name(h)
                     + " m, that of constant/releaseProperties "
-                    + Foam::name(smoothingLength) + " m: " + otherRelease
+                    + Foam::name(smoothingLength)
+                    + " m: this time is of another spacing. " + remedyOfOldTimes
             );
         }
     }
@@ -258,6 +329,7 @@ caseRun::caseRun(const fileName& caseDir)
     readPhases();
     checkDensities();
     ground_ = ground::read(caseDir);
+    groundFingerprint_ = ground::fingerprint(caseDir);
     readScene();
     makeContact();
     const lpfPairs::pairEngine& engine = engineNamed(isa);
@@ -703,7 +775,8 @@ void caseRun::printPenalty() const
                 .c_str()
          << ". It resists approach alone, so that what rests sinks until it is "
          << "stopped at " << contactShare << " of a spacing: look at contact "
-         << "in the ledger. There is nothing behind the ground, so that stress "
+         << "loss and contact impulse in the ledger. There is nothing behind "
+            "the ground, so that stress "
          << "and pressure of the lowest layers are not to be used. contact "
          << "signedDistance has neither fault" << nl << endl;
 }
@@ -762,16 +835,9 @@ void caseRun::checkWaveSpeed(const dictionary& coeffs, const elasticity& e)
 void caseRun::makeWater(const lpfPairs::pairEngine& engine)
 {
     const dictionary& phase = phases_.subDict("water");
-    const stiffnessScale s = scale();
-    soundSpeedScale sound;
-    sound.gH = s.gH;
-    sound.maxSpeed = s.maxSpeed;
-    if (has("grains"))
-    {
-        const elasticity& e = flow_.rheology->elastic();
-        sound.skeleton = e.K() + 4 * e.G() / 3;
-        sound.porosity = 1 - s.rhoBulk / grainDensity_;
-    }
+    const elasticity* skeleton =
+        has("grains") ? &flow_.rheology->elastic() : nullptr;
+    const soundSpeedScale sound = soundScale(scale(), skeleton, grainDensity_);
     flow_.state.reset(equationOfState::New(phase, sound).ptr());
     flow_.viscosity.reset(viscosityModel::New(phase).ptr());
     chooseViscosityIntegration();
@@ -1021,19 +1087,82 @@ void caseRun::readWater(const cloudState& cloud)
     }
 }
 
-// The same spacing is not the same release
-void caseRun::checkRelease(const dictionary& state) const
+void caseRun::checkPhases(const dictionary& state) const
 {
-    const word mine = release_.getOrDefault<word>("fingerprint", word());
-    const word its = state.getOrDefault<word>("release", mine);
-    if (!mine.empty() && its != mine)
+    const wordList now(flow_.names());
+    const wordList before(state.getOrDefault<wordList>("phases", now));
+    if (now != before)
     {
         refuse(
             state,
-            "release",
-            "The state has the release " + its
-                + ", constant/releaseProperties has " + mine + ": "
-                + otherRelease
+            "phases",
+            "The run up to this time had the phases " + listed(before)
+                + ", constant/phaseProperties has " + listed(now)
+                + ": a state has all of its phases or none. Take the change "
+                  "back, or start from time 0: startFrom startTime; startTime "
+                  "0;"
+        );
+    }
+}
+
+// What may be meant, but is another scene than the one the run began with
+void caseRun::warnOfChanges(const dictionary& state) const
+{
+    const vector g = state.getOrDefault<vector>("g", scene_.g);
+    if (g != scene_.g)
+    {
+        WarningInFunction
+            << "constant/g is " << scene_.g << " m/s2, in the run up to this "
+            << "time it was " << g << ": the run goes on with the new one. The "
+            << "potential energy jumps by that, which the ledger shows as "
+            << "unexplained" << endl;
+    }
+    if (state.getOrDefault<word>("ground", groundFingerprint_)
+        != groundFingerprint_)
+    {
+        WarningInFunction
+            << "constant/terrain is not the ground of the run up to this time: "
+            << "the run goes on over the new one, which sets back what stands "
+            << "behind it. If that is not meant, start from time 0" << endl;
+    }
+}
+
+// Scalars of a phase that are state and not there at the start
+wordList caseRun::madeByRun(const word& phase) const
+{
+    if (phase == "grains")
+    {
+        return {"rho", "rhoRef", "I"};
+    }
+    wordList made({"rho"});
+    if (has("grains"))
+    {
+        made.append("theta");
+    }
+    if (waterScheme_.groundLag > 0)
+    {
+        made.append("lag");
+    }
+    return made;
+}
+
+// Rounded masses do not close, rounded positions are another flow
+void caseRun::checkDigits(const dictionary& state)
+{
+    constexpr label all = runControl::allDigits;
+    const label digits = state.getOrDefault<label>("digits", all);
+    if (digits < all)
+    {
+        refuse(
+            state,
+            "digits",
+            "This time was written as ascii with writePrecision "
+                + Foam::name(digits)
+                + ": a state needs all 17 digits of a number, a run from "
+                  "rounded ones is another one and its mass does not close. "
+                  "Write writeFormat binary; or writePrecision 17; in "
+                  "system/controlDict and start again from time 0 or from a "
+                  "time that has all digits (startFrom startTime;)"
         );
     }
 }
@@ -1046,13 +1175,21 @@ void caseRun::readState()
         isFile(stateFile) ? readDictionary(stateFile) : dictionary();
     continued_ = !state.empty();
 
-    checkRelease(state);
+    // the same spacing is not the same release
+    checkFingerprint(state, release_, remedyOfOldTimes);
+    checkDigits(state);
+    checkPhases(state);
+    warnOfChanges(state);
 
     pointField all;
     for (const word& name : names_)
     {
         const cloudState cloud(readCloud(dir, name));
-        checkFields(cloud, dir, name, continued_);
+        if (!continued_)
+        {
+            checkStart(cloud, stateFile);
+        }
+        checkFields(cloud, dir, name, continued_, madeByRun(name));
         checkSmoothing(
             cloud, dir, name, name == "grains" ? scene_.h : waterScene_.h
         );

@@ -3,6 +3,7 @@
 
 #include "fieldTensors.H"
 #include "orderedSum.H"
+#include "waveSpeeds.H"
 
 #include <algorithm>
 
@@ -505,14 +506,11 @@ void interphase::distribute(
     to.takeDrag(dragForce, sign, dt);
 }
 
-// Sound in the mixture
-//     c^2 = c0^2 (1 + xi_p rho_f/(theta rho_p)) + c_p^2             (T 6.10)
+// (T 6.10)
 timeStepLimit interphase::stableDeltaT(scalar CFL, scalar skeletonSpeed) const
 {
-    const scalar c0 = water_.state().c0(), theta = leastTheta_;
-    const scalar share =
-        (1 - theta) * water_.state().rho0() / (theta * grainDensity_);
-    const scalar c = sqrt(sqr(c0) * (1 + share) + sqr(skeletonSpeed));
+    const scalar c =
+        coupledSound(water_.state(), leastTheta_, grainDensity_, skeletonSpeed);
     const scalar h = min(grains_.scene().h, water_.scene().h);
     const scalar speed = max(grains_.maxSpeed(), water_.maxSpeed());
     return {CFL * h / (c + speed), "coupled sound"};

@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 
+#include <charconv>
 #include <csignal>
 
 namespace Foam
@@ -60,7 +61,7 @@ runControl::runControl(const fileName& caseDir) : caseDir_(caseDir)
     readTimes(dict);
     readFormat(dict);
     timePrecision_ = readInteger(
-        dict, "timePrecision", 1, 17, "a double has at most 17 digits", 6
+        dict, "timePrecision", 1, allDigits, "a double has at most 17 digits", 6
     );
     purgeWrite_ = readInteger(
         dict,
@@ -164,18 +165,26 @@ void runControl::readFormat(const dictionary& dict)
             : IOstreamOption::UNCOMPRESSED
     );
     const label digits = readInteger(
-        dict, "writePrecision", 1, 17, "a double has at most 17 digits", 6
+        dict,
+        "writePrecision",
+        1,
+        allDigits,
+        "a double has at most 17 digits",
+        6
     );
-    if (format_.format() == IOstream::ASCII)
+    if (format_.format() != IOstream::ASCII)
     {
-        IOstream::defaultPrecision(unsigned(digits));
+        return;
     }
-    if (format_.format() == IOstream::ASCII && digits < 17)
+    digits_ = digits;
+    IOstream::defaultPrecision(unsigned(digits));
+    if (digits < allDigits)
     {
         WarningInFunction
             << "writeFormat ascii keeps " << digits
-            << " digits: a restart will not go on with the same bits. "
-            << "Write binary for that" << endl;
+            << " digits of a number: no run can go on from the times that are "
+            << "written. Write writeFormat binary; or writePrecision 17; for "
+            << "that" << endl;
     }
 }
 
@@ -328,6 +337,21 @@ void runControl::readIfModified()
     FatalIOError.throwExceptions(throwing);
 }
 
+// Time of the n-th write, the number that its decimal says: an endTime of 0.3
+// is that, 3*0.1 is 0.30000000000000004
+scalar runControl::multiple(scalar n) const
+{
+    constexpr int digits = 15; // all that a double keeps of any decimal
+    const scalar product = n * writeInterval_;
+    scalar decimal = product;
+    char text[40];
+    const auto written = std::to_chars(
+        text, text + sizeof(text), product, std::chars_format::general, digits
+    );
+    std::from_chars(text, written.ptr, decimal);
+    return decimal;
+}
+
 scalar runControl::step(scalar stable)
 {
     scalar dt = min(stable, maxDeltaT);
@@ -338,9 +362,7 @@ scalar runControl::step(scalar stable)
     scalar next = endTime_;
     if (writeControl_ == "adjustableRunTime")
     {
-        next =
-            min(next,
-                writeInterval_ * (floor(time / writeInterval_ + 1e-9) + 1));
+        next = min(next, multiple(floor(time / writeInterval_ + 1e-9) + 1));
     }
     const scalar steps = ceil((next - time) / dt - 1e-9);
     deltaT = steps <= 3 ? (next - time) / steps : dt;
@@ -363,7 +385,7 @@ void runControl::advance()
     ++index;
 
     // no rounding may pile up: a time that was aimed at is met to the bit
-    const scalar nearest = writeInterval_ * round(time / writeInterval_);
+    const scalar nearest = multiple(round(time / writeInterval_));
     if (writeControl_ == "timeStep")
     {
         atWriteTime_ = index % label(writeInterval_) == 0;

@@ -18,9 +18,6 @@ namespace lpf
 namespace
 {
 
-// Ratio of wave speed and speed of the flow: `stiffness` of E auto, its default
-constexpr scalar speedRatio = 20;
-
 // Time step over h/c
 constexpr scalar courant = 0.3;
 
@@ -147,16 +144,7 @@ scalar machineMemory()
 runEstimate estimateRun(const runSize& size)
 {
     runEstimate run;
-    run.maxSpeed = size.maxSpeed > 0
-                     ? size.maxSpeed
-                     : Foam::sqrt(
-                         sqr(size.velocity)
-                         + 2 * size.g * max(size.drop, size.releaseHeight)
-                     );
-    run.waveSpeed =
-        speedRatio
-        * max(run.maxSpeed / 2, Foam::sqrt(size.g * size.releaseHeight));
-    run.timeStep = courant * size.smoothingLength / run.waveSpeed;
+    run.timeStep = courant * size.smoothingLength / size.waveSpeed;
     run.steps = size.endTime / run.timeStep;
     const scalar nearGround =
         min(scalar(1),

@@ -2,6 +2,7 @@
 #include "scenePreparation.H"
 #include "inputCheck.H"
 #include "OSspecific.H"
+#include "waveSpeeds.H"
 
 #include <algorithm>
 #include <map>
@@ -218,7 +219,7 @@ scalar scenePreparation::drop() const
 }
 
 
-runEstimate scenePreparation::estimate() const
+scalar scenePreparation::maxSpeed() const
 {
     const scalar given = readNumber(
         dict_,
@@ -232,16 +233,71 @@ runEstimate scenePreparation::estimate() const
          " the relief"},
         0
     );
+    return given > 0 ? given
+                     : Foam::sqrt(
+                         sqr(largestVelocity())
+                         + 2 * mag(g_) * max(drop(), releaseHeight_)
+                     );
+}
+
+
+scalar scenePreparation::solidFraction() const
+{
+    scalar volume = 0, solid = 0;
+    for (const releaseBody& body : bodies_)
+    {
+        volume += body.volume;
+        solid += body.volume * body.solidFraction;
+    }
+    return solid / volume;
+}
+
+
+// That of the solver, in a bed as it is released
+scalar scenePreparation::waveSpeed() const
+{
+    const dictionary phases(
+        readDictionary(caseDir_ / "constant" / "phaseProperties")
+    );
+    stiffnessScale scale = {};
+    scale.gH = mag(g_) * releaseHeight_;
+    scale.maxSpeed = maxSpeed();
+    autoPtr<elasticity> skeleton;
+    if (has("grains"))
+    {
+        const dictionary& grains = phases.subDict("grains");
+        scale.rhoBulk = material_.rho * solidFraction();
+        skeleton.reset(new elasticity(
+            grains.subDict(grains.get<word>("rheology") + "Coeffs"), scale
+        ));
+    }
+    if (!has("water"))
+    {
+        return skeleton->c();
+    }
+    const autoPtr<equationOfState> water = equationOfState::New(
+        phases.subDict("water"),
+        soundScale(scale, skeleton.get(), material_.rho)
+    );
+    if (!has("grains"))
+    {
+        return water->c0();
+    }
+    return coupledSound(
+        *water, 1 - solidFraction(), material_.rho, skeleton->c()
+    );
+}
+
+
+runEstimate scenePreparation::estimate() const
+{
     return estimateRun(
         {grains_.size(),
          water_.size(),
          smoothingRatio * min(grid_.spacing, waterSpacing_),
          releaseHeight_,
-         drop(),
-         mag(g_),
-         endTime_,
-         largestVelocity(),
-         given}
+         waveSpeed(),
+         endTime_}
     );
 }
 
@@ -290,6 +346,7 @@ void scenePreparation::report() const
         reportRelease(i);
     }
     const runEstimate run = estimate();
+    const scalar fastest = maxSpeed();
     Info << "Expected" << nl;
     if (has("water"))
     {
@@ -297,12 +354,12 @@ void scenePreparation::report() const
              << water_.size() << " of water" << nl;
     }
     Info << "    memory          " << run.memory / 1048576 << " MiB" << nl
-         << "    largest speed   " << run.maxSpeed
+         << "    largest speed   " << fastest
          << (dict_.found("maxSpeed") ? " m/s, given"
              : largestVelocity() > 0
                  ? " m/s, free fall over the relief from the velocity given"
                  : " m/s, free fall over the relief")
-         << nl << "    wave speed      " << run.waveSpeed << " m/s" << nl
+         << nl << "    wave speed      " << waveSpeed() << " m/s" << nl
          << "    time step       " << run.timeStep << " s" << nl;
     if (endTime_ > 0)
     {
@@ -318,9 +375,9 @@ void scenePreparation::report() const
              << " particle-steps/s, measured now on this machine" << nl;
     }
     Info << nl;
-    if (run.maxSpeed < largestVelocity())
+    if (fastest < largestVelocity())
     {
-        WarningInFunction << "maxSpeed " << run.maxSpeed
+        WarningInFunction << "maxSpeed " << fastest
                           << " m/s is below the velocity of a"
                           << " release, " << largestVelocity()
                           << " m/s: the stiffness that"

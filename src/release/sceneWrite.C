@@ -61,18 +61,17 @@ void scenePreparation::writePhases(Ostream& os) const
 {
     if (has("grains"))
     {
-        scalar mass = 0, volume = 0, solid = 0;
+        scalar mass = 0, volume = 0;
         for (const releaseBody& body : bodies_)
         {
             mass += body.mass;
             volume += body.volume;
-            solid += body.volume * body.solidFraction;
         }
         os.beginBlock("grains");
         os.writeEntry("count", grains_.size());
         os.writeEntry("mass", mass);
         os.writeEntry("volume", volume);
-        os.writeEntry("solidFraction", solid / volume);
+        os.writeEntry("solidFraction", solidFraction());
         os.writeEntry("rho", material_.rho);
         os.endBlock();
     }
@@ -150,7 +149,7 @@ void scenePreparation::writeReleaseProperties(const fileName& file) const
         os.endBlock();
     }
     os.writeEntry("releaseHeight", releaseHeight_);
-    os.writeEntry("maxSpeed", estimate().maxSpeed);
+    os.writeEntry("maxSpeed", maxSpeed());
     os.writeEntry("zones", names_);
     os.writeEntry("fingerprint", fingerprint());
     writePhases(os);

@@ -3,9 +3,11 @@
 #include "foamFile.H"
 #include "inputCheck.H"
 #include "OSspecific.H"
+#include "SHA1.H"
 
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace Foam
 {
@@ -100,6 +102,24 @@ autoPtr<ground> ground::read(const fileName& caseDir)
         dict.get<point>("origin"),
         dict.found("crs") ? readText(directory / dict.get<fileName>("crs")) : ""
     );
+}
+
+
+word ground::fingerprint(const fileName& caseDir)
+{
+    const fileName directory = caseDir / "constant" / "terrain";
+    fileNameList files(readDir(directory, fileName::FILE, false));
+    Foam::sort(files);
+    SHA1 sum;
+    for (const fileName& file : files)
+    {
+        std::ifstream is(directory / file, std::ios::binary);
+        std::ostringstream content;
+        content << is.rdbuf();
+        sum.append(content.str());
+    }
+    // a letter first: digits would be read as a number
+    return word("g" + sum.str().substr(0, 16));
 }
 
 

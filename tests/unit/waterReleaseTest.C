@@ -377,7 +377,7 @@ TEST_CASE("a dry bed in a lake stays dry", "[release][water]")
 TEST_CASE("memory of a run counts both phases", "[release][water]")
 {
     const auto bytes = [](const label grains, const label water) {
-        return estimateRun({grains, water, 0.13, 0.5, 1, 10, 1, 0, 0}).memory;
+        return estimateRun({grains, water, 0.13, 0.5, 20, 1}).memory;
     };
     // 2h is more than a tenth of the thickness: all are near the ground
     CHECK(bytes(0, 1000) == 1000 * (340 + 350));

@@ -5,6 +5,7 @@
 #include "crs.H"
 #include "inputCheck.H"
 #include "polyline.H"
+#include "releaseCheck.H"
 
 #include "DynamicList.H"
 #include "OSspecific.H"
@@ -84,13 +85,34 @@ void caseSampler::findTimes(const instantList& all, const instantList& selected)
             << "times." << exit(FatalError);
     }
     releaseDir_ = caseDir_ / written_.first().name();
+    instantList read(times_);
+    read.append(written_.first());
+    checkReleaseOf(caseDir_, read);
+}
+
+
+namespace
+{
+
+// What a number loses between text and binary
+scalar roundingOf(const scalar time)
+{
+    return 1e-9 * max(scalar(1), mag(time));
+}
+
+} // namespace
+
+
+scalar caseSampler::lastWritten() const
+{
+    const scalar last = written_.last().value();
+    return last + roundingOf(last);
 }
 
 
 const instant& caseSampler::writtenAt(const scalar time) const
 {
-    // What a number loses between text and binary
-    const scalar same = 1e-9 * max(scalar(1), mag(time));
+    const scalar same = roundingOf(time);
     label next = 0;
     while (next < written_.size() && written_[next].value() < time - same)
     {
@@ -123,9 +145,15 @@ const instant& caseSampler::writtenAt(const scalar time) const
 void caseSampler::findSeries()
 {
     DynamicList<instant> found;
-    string others;
+    string others, later;
     for (const scalar time : controls_.seriesTimes)
     {
+        // a run that goes on, or that ends early, has a series so far
+        if (time > lastWritten() && controls_.seriesTimes[0] <= lastWritten())
+        {
+            later += " " + Foam::name(time);
+            continue;
+        }
         const instant& t = writtenAt(time);
         if (times_.found(t))
         {
@@ -137,6 +165,11 @@ void caseSampler::findSeries()
         }
     }
     series_.transfer(found);
+    if (!later.empty())
+    {
+        Info << "The last written time is " << written_.last().name()
+             << " s, left out of the series:" << later.c_str() << " s" << nl;
+    }
     if (!others.empty())
     {
         Info << "Not selected, left out of the series:" << others.c_str()

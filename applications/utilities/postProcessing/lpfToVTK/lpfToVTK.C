@@ -23,6 +23,7 @@ Usage        lpfToVTK [-case dir] [-time ranges | -latestTime] [-noZero]
 #include "cloudState.H"
 #include "exitStatus.H"
 #include "ground.H"
+#include "releaseCheck.H"
 #include "timeSeries.H"
 #include "uniformTime.H"
 #include "vtkFiles.H"
@@ -177,6 +178,11 @@ int convert(const argList& args)
     );
     const fileName caseDir(runTime.globalPath());
 
+    instantList all(runTime.times());
+    all = instantList(SubList<instant>(all, all.size() - 1, 1)); // no constant
+    const instantList selected = timeSelector::select0(runTime, args);
+    checkReleaseOf(caseDir, selected);
+
     const autoPtr<ground> terrain = ground::read(caseDir);
     vtkFrame frame{
         args.found("local") ? point(Zero) : terrain().origin(),
@@ -188,9 +194,6 @@ int convert(const argList& args)
          << terrain().origin() << nl << endl;
     convertGround(caseDir, terrain(), frame);
 
-    instantList all(runTime.times());
-    all = instantList(SubList<instant>(all, all.size() - 1, 1)); // no constant
-    const instantList selected = timeSelector::select0(runTime, args);
     const wordList clouds = cloudsOf(caseDir, selected);
     if (clouds.empty())
     {
