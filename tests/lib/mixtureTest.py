@@ -205,14 +205,15 @@ def of_bed_and_water(shares, top):
     yield "above it", [s for z, s in shares if z > top]
 
 
-def poured(name, sides, columns, density=RHO_P, above=2 * DX, end=2):
+def poured(name, sides, columns, density=RHO_P, above=2 * DX, end=2,
+           deep=24, layers=12):
     """Grains as coarse as a spacing: the pores of a dry layer that sinks fill
     within half a second. Of finer grains its upper part stays dry for long, and
     the water rises by the air in it, too. They begin a distance above the water:
     rock plunges into it as one body, light grains (1500 kg/m3, at 0) swim until
     their pores fill, and sink without a splash."""
-    side, depth = columns * DX, 24 * DX
-    layers, phi = 12, 0.5
+    side, depth = columns * DX, deep * DX
+    phi = 0.5
     case = Case(os.path.abspath("case." + name))
     scene = sides(side, 3 * depth)
     x0, x1 = scene["inset"], side - scene["inset"]
@@ -268,7 +269,9 @@ def pour():
         found = pool.map(
             lambda scene: list(poured(*scene)),
             (("wideTank", far_from_walls, 6), ("narrowTank", tank, 12),
-             ("lightGrains", tank, 12, 1500, 0, 3)))
+             ("lightGrains", tank, 12, 1500, 0, 3),
+             # not looked at while (T 6.22) was made
+             ("otherTank", tank, 18, 2000, 2 * DX, 2, 30, 10)))
         return [line for lines in found for line in lines]
 
 

@@ -42,7 +42,7 @@ def chute(layers, degrees, speed, grains=None, period=12):
 
 
 class Bagnold(Verification):
-    layers = (10, 20, 30)
+    layers = (15, 30, 60)
     bounds = {"velocity": 0.05, "height": 0.05}
     findings = {"velocity": (
         "the two lowest layers stand still instead of the lowest half of one, since "
