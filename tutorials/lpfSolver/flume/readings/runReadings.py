@@ -101,7 +101,7 @@ def make(folder, condition, row, spacing):
     edit(folder, "system/depositionSampleDict", [
         (r"^cellSize .*", "cellSize %g;" % (spacing / 5)),
     ])
-    edit(folder, "system/controlDict", [(r"^writeInterval .*", "writeInterval 1;")])
+    edit(folder, "system/controlDict", [(r"^writeInterval .*", "writeInterval 0.5;")])
     edit(folder, "constant/phaseProperties", [
         (r"\bmuS +[^;]*;", "muS %g;" % mu_s),
         # mu_2 is above mu_s
