@@ -104,7 +104,7 @@ def at(degrees):
 
 
 STEADY = tuple(at(d) for d in (24, 26, 28))
-STEADY[1].negatives = {"I0 of 0.2": ({"I0": 0.2}, "velocity", 20)}
+STEADY[1].negatives = {"I0 of 0.2": ({"I0": 0.2}, "velocity", 60)}
 
 
 class Stops(Verification):
