@@ -864,3 +864,25 @@ Foam::vector Foam::lpf::readGravity(const fileName& caseDir)
     }
     return g;
 }
+
+
+void Foam::lpf::checkGravityInPlane(
+    const fileName& caseDir, const vector& normal
+)
+{
+    constexpr scalar rounding = 1e-9;
+    const vector g = readGravity(caseDir);
+    if (mag(g & normal) > rounding * mag(g))
+    {
+        refuse(
+            readDictionary(caseDir / "constant" / "g"),
+            "value",
+            "Gravity (" + shown(g.x()) + " " + shown(g.y()) + " " + shown(g.z())
+                + ") has a part of " + shown(g & normal)
+                + " m/s2 along the normal of the plane strain: the slice would "
+                  "fly out of its plane. Write a gravity in the plane, or "
+                  "another normal in planeStrain of "
+                  "constant/boundaryProperties"
+        );
+    }
+}

@@ -473,9 +473,10 @@ void caseRun::warnOfUnexplained() const
     {
         WarningInFunction
             << "Energy of " << unexplained << " J is explained by no loss,"
-            << " more than 5 % of what this run is about: do not trust it."
-            << " Lower CFL of system/lpfSolution or take a smaller spacing"
-            << endl;
+            << " more than 5 % of what this run is about: do not trust it. "
+            << "Lower CFL of system/lpfSolution, write timeIntegration "
+               "predictorCorrector; "
+            << "there, or take a smaller spacing" << endl;
     }
 }
 

@@ -453,6 +453,10 @@ void caseRun::readScene()
     scene_.planeNormal =
         release_.getOrDefault<vector>("planeNormal", vector(0, 1, 0));
     scene_.g = readGravity(caseDir_);
+    if (scene_.dimensions == 2)
+    {
+        checkGravityInPlane(caseDir_, scene_.planeNormal);
+    }
 
     waterScene_ = scene_;
     if (names_.size() > 1)

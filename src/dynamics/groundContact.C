@@ -317,6 +317,14 @@ void groundContact::present(lpfPairs::penaltyPass& pass) const
 groundHit groundContact::signedDistance(const point& x, scalar radius) const
 {
     groundHit hit = ground_.signedDistance(x, radius);
+    if (hit.border && planeThickness_ > 0)
+    {
+        // the plane may lie along an edge of the ground, which has none there
+        const vector off = ground_.bounds().centre() - x;
+        hit = ground_.signedDistance(
+            x + (off & planeNormal_) * planeNormal_, radius
+        );
+    }
     hit.found = hit.found && !hit.border;
     return hit;
 }

@@ -571,13 +571,42 @@ void waterDynamics::explicitViscosity(bool add)
     stickForce_ = sums.ground;
 }
 
+namespace
+{
+
+//- What implicit viscosity adds to the ledger
+struct viscousSums
+{
+    vector impulse = Zero;
+    scalar work = 0;
+
+    void operator+=(const viscousSums& b)
+    {
+        impulse += b.impulse;
+        work += b.work;
+    }
+};
+
+} // namespace
+
 void waterDynamics::relaxViscosity(scalar dt)
 {
     if (!viscous_ || !scheme_.implicitViscosity)
     {
         return;
     }
-    const waterViscosity::change sums = viscous_->relax(dt);
+    viscous_->relax(dt);
+    const viscousSums sums = orderedSum<viscousSums>(
+        water.size(),
+        [&](int i)
+        {
+            const vector dU = viscous_->added(i);
+            const vector start = at(water.U, i) - dt * at(water.a, i);
+            const vector artificial = dt * at(water.friction, i);
+            return viscousSums{
+                water.mass[i] * dU, lossBy(i, dU, start, artificial)};
+        }
+    );
     ledger.viscous += sums.work;
     if (viscous_->sticks())
     {
@@ -750,6 +779,17 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
 
 void waterDynamics::takeDrag(realArrays<3>& dU, scalar sign, scalar dt)
 {
+    if (viscous_ && scheme_.implicitViscosity)
+    {
+        takeDragWith(
+            dU,
+            sign,
+            dt,
+            [&](int i)
+            { return at(water.friction, i) + viscous_->added(i) / dt; }
+        );
+        return;
+    }
     takeDragWith(dU, sign, dt, [&](int i) { return at(water.friction, i); });
 }
 

@@ -406,9 +406,7 @@ void waterViscosity::advanceStages(scalar dt)
     );
 }
 
-// Work of the impulse on the mean of the velocities before the kick that went
-// with it and after both, as the leapfrog does work
-waterViscosity::change waterViscosity::relax(scalar dt)
+void waterViscosity::relax(scalar dt)
 {
     const int n = water_.size();
     lpf::resize(kicked_, n);
@@ -420,15 +418,13 @@ waterViscosity::change waterViscosity::relax(scalar dt)
         }
     }
     advanceStages(dt);
-    return orderedSum<change>(
+    forEach(
         n,
         [&](int i)
         {
-            const vector kicked = at(kicked_, i), U = at(water_.U, i);
-            const vector before = kicked - dt * at(water_.a, i);
-            const vector step = water_.mass[i] * (U - kicked);
-            set(water_.a, i, at(water_.a, i) + (U - kicked) / dt);
-            return change{step, -0.5 * (step & (before + U))};
+            const vector dU = at(water_.U, i) - at(kicked_, i);
+            set(water_.a, i, at(water_.a, i) + dU / dt);
+            set(kicked_, i, dU);
         }
     );
 }

@@ -46,6 +46,10 @@ scenePreparation::scenePreparation(
          "ground",
          "release"}
     );
+    if (frame_.planeThickness > 0)
+    {
+        checkGravityInPlane(caseDir_, frame_.planeNormal);
+    }
     readPhases();
     readEndTime();
     readReleases();

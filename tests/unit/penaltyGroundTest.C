@@ -358,6 +358,27 @@ TEST_CASE("contact: what sets a grain back does work as the leapfrog does")
     CHECK(mag(b.projection) < 1e-12 * m * sqr(gravity * dt));
 }
 
+TEST_CASE("contact: in plane strain the ground goes on along the normal")
+{
+    const autoPtr<ground> bed = slopes(0, 0);
+    const point beyond(0.03, -width / 2 - 0.01, 0.05 * dx);
+    for (const double thickness : {0.0, 0.05})
+    {
+        const groundContact contact(
+            *bed,
+            dictOf("zones { floor { friction none; } }"),
+            dx,
+            2 * h + dx,
+            thickness,
+            vector(0, 1, 0)
+        );
+        const groundHit hit = contact.signedDistance(beyond, dx);
+        CHECK(hit.found == (thickness > 0));
+        // the floor itself ends where it does
+        CHECK(!contact.signedDistance(point(3, 0, 0.05 * dx), 2).found);
+    }
+}
+
 TEST_CASE("penalty: it leaks under load, as fast as the sum says; contact holds"
 )
 {
