@@ -360,7 +360,7 @@ TEST_CASE("contact: what sets a grain back does work as the leapfrog does")
 
 TEST_CASE("contact: in plane strain the ground goes on along the normal")
 {
-    const autoPtr<ground> bed = slopes(0, 0);
+    autoPtr<ground> bed = slopes(0, 0);
     const point beyond(0.03, -width / 2 - 0.01, 0.05 * dx);
     for (const double thickness : {0.0, 0.05})
     {
