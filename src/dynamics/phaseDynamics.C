@@ -80,14 +80,14 @@ void phaseDynamics::seeGround(bool withShare)
 
 void phaseDynamics::markStart()
 {
-    renew(steps_, static_cast<std::size_t>(nSlots_));
+    renew(startAndLost_, static_cast<std::size_t>(nSlots_));
     lpfPairs::forEach(
         particles_.size(),
         [&](int i)
         {
             if (slot_[i] >= 0)
             {
-                stepOf(i) = {at(particles_.U, i), Zero};
+                startAndLost(i) = at(particles_.U, i);
             }
         }
     );
@@ -169,11 +169,10 @@ bool phaseDynamics::setBack(
     s.impulse += m * approach * hit.normal;
     s.normal += m * approach;
     s.friction += m * (U - stopped);
-    nearStep& step = stepOf(i);
-    s.energy += step.lossBy(m, stopped - before, stopped)
+    s.energy += nearLoss(i, stopped - before, stopped)
               + m * (scene_.g & (move - dt * (stopped - before)));
     s.frictionEnergy +=
-        step.lossBy(m, U - stopped, U) - dt * m * (scene_.g & (U - stopped));
+        nearLoss(i, U - stopped, U) - dt * m * (scene_.g & (U - stopped));
     return true;
 }
 
@@ -429,7 +428,7 @@ std::size_t phaseDynamics::bytes() const
     return particles_.bytes() + order_.bytes() + slot_.bytes() + pairs_.bytes()
          + elementsAround_.size().neighbours
          + walls_.capacity() * sizeof(lpfPairs::wallRecord)
-         + steps_.capacity() * sizeof(nearStep)
+         + startAndLost_.capacity() * sizeof(vector)
          + cells_.start.capacity() * sizeof(int)
          + (penalty_ ? penalty_->bytes() : 0);
 }

@@ -472,22 +472,15 @@ void waterDynamics::pressureOfGround(int i, nearWall& near) const
 
     const vector adjoint = (2 * V * water.p[i]) * nA;
     near.force = adjoint + deeper; // (T 5.12)
-    near.carried = (near.force & n) > 0;
-    near.force = near.carried ? vector(near.force + along) : vector(Zero);
-    near.correction = near.force - adjoint;
+    const bool carried = (near.force & n) > 0;
+    near.force = carried ? vector(near.force + along) : vector(Zero);
 }
 
 void waterDynamics::addForcesOfGround()
 {
     if (penalty_)
     {
-        addForcesWith(
-            [](int, nearWall& near)
-            {
-                near.force = near.correction = Zero;
-                near.carried = false;
-            }
-        );
+        addForcesWith([](int, nearWall& near) { near.force = Zero; });
         return;
     }
     addForcesWith([&](int i, nearWall& near) { pressureOfGround(i, near); });
@@ -689,6 +682,12 @@ waterDynamics::meanFlux(int i, const vector& before, const vector& after) const
                        : vector(before + half);
 }
 
+vector waterDynamics::correction(int i, const nearWall& near) const
+{
+    const scalar V = water.V[i] * scene_.planeThickness;
+    return near.force - (images_ * V * water.p[i]) * toVector(near.areaNormal);
+}
+
 void waterDynamics::kick(scalar dt)
 {
     const passTimes::timed pass(times, "kick");
@@ -699,7 +698,8 @@ void waterDynamics::kick(scalar dt)
             [&](int i, const vector& U, const nearWall& near)
             {
                 const vector along = toVector(near.areaNormal);
-                const vector n = normalised(near.carried ? near.force : along);
+                const vector n =
+                    normalised(magSqr(near.force) > 0 ? near.force : along);
                 const scalar dv = mag(near.force) * dt / water.mass[i];
                 return resistance_->after(slot_[i], U, n, 0, dv, dt);
             }
@@ -745,7 +745,8 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
                     near_[static_cast<std::size_t>(slot_[i])];
                 s.wall = near.force * dt;
                 s.wallNormal = mag(near.force) * dt;
-                s.correction = -dt * (near.correction & meanFlux(i, before, U));
+                const vector dropped = dt * correction(i, near);
+                s.correction = -(dropped & meanFlux(i, before, U));
                 const vector sliding = U;
                 U = friction(i, sliding, near);
                 s.friction = water.mass[i] * (U - sliding);
@@ -753,8 +754,7 @@ void waterDynamics::kickWith(scalar dt, const Friction& friction)
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 lost(
                     i,
-                    (s.friction + dt * ownShare(i) * near.correction)
-                            / water.mass[i]
+                    (s.friction + ownShare(i) * dropped) / water.mass[i]
                         + dt * at(water.friction, i)
                 );
             }
