@@ -474,9 +474,9 @@ void caseRun::warnOfUnexplained() const
         WarningInFunction
             << "Energy of " << unexplained << " J is explained by no loss,"
             << " more than 5 % of what this run is about: do not trust it. "
-            << "Lower CFL of system/lpfSolution, write timeIntegration "
-               "predictorCorrector; "
-            << "there, or take a smaller spacing" << endl;
+            << "Lower CFL of system/lpfSolution, write "
+            << "timeIntegration predictorCorrector; there, "
+            << "or take a smaller spacing" << endl;
     }
 }
 

@@ -126,62 +126,83 @@ string listed(const wordList& words)
     throw;
 }
 
-//- FatalIOError where a mass or a density is not above 0; directory: of the
-//  fields
-void checkPositive(
+//- Range that a scalar of the state has in any run
+struct stateRange
+{
+    word field;
+    scalar lower, upper;
+    bool lowerOpen;
+    const char *unit, *rule;
+};
+
+const std::vector<stateRange>& stateRanges()
+{
+    static const char* const massive =
+        "a density is greater than 0 and at most 20000 kg/m3";
+    static const std::vector<stateRange> all = {
+        {"mass", 0, GREAT, true, " kg", "it would not move"},
+        {"rho", 0, 2e4, true, " kg/m3", massive},
+        {"rhoRef", 0, 2e4, true, " kg/m3", massive},
+        // 0: not seen yet, in the first step of all
+        {"theta",
+         0,
+         1,
+         false,
+         "",
+         "it is the share of the volume around it that is not grains, from 0 "
+         "to 1"},
+        {"lag",
+         -10,
+         10,
+         false,
+         "",
+         "compression beside the ground is a share of the density, within -10 "
+         "and 10"}};
+    return all;
+}
+
+//- FatalIOError where a field of the state is out of its range, or a particle
+//  faster than anything that slides; directory: of the fields
+void checkRanges(
     const cloudState& cloud, const fileName& directory, const string& remedy
 )
 {
-    const auto check =
-        [&](const word& field, const char* unit, const char* reason)
+    constexpr scalar fastest = 1e4; // [m/s]
+    const auto refuse =
+        [&](label i, const word& field, scalar value, const string& rule)
     {
-        const scalarField& values = cloud.scalars[field];
-        forAll (values, i)
+        refuseFile(
+            directory / field,
+            "Particle " + Foam::name(i) + " has a " + field + " of "
+                + Foam::name(value) + rule + ". " + remedy
+        );
+    };
+    for (const stateRange& range : stateRanges())
+    {
+        const auto values = cloud.scalars.cfind(range.field);
+        for (label i = 0; values.found() && i < values.val().size(); ++i)
         {
-            if (!(values[i] > 0))
+            const scalar a = values.val()[i];
+            const bool low =
+                range.lowerOpen ? !(a > range.lower) : !(a >= range.lower);
+            if (low || !(a <= range.upper))
             {
-                refuseFile(
-                    directory / field,
-                    "Particle " + Foam::name(i) + " has a " + field + " of "
-                        + Foam::name(values[i]) + unit + ": " + reason + ". "
-                        + remedy
+                refuse(
+                    i, range.field, a, range.unit + (": " + string(range.rule))
                 );
             }
         }
-    };
-    check("mass", " kg", "it would not move");
-    for (const word& density : wordList({"rho", "rhoRef"}))
-    {
-        if (cloud.scalars.found(density))
-        {
-            check(density, " kg/m3", "a density is greater than 0");
-        }
     }
-}
-
-//- FatalIOError where theta is no share of a volume; 0: not seen yet, in the
-//  first step of all
-void checkTheta(
-    const cloudState& cloud, const fileName& directory, const string& remedy
-)
-{
-    const auto theta = cloud.scalars.cfind("theta");
-    if (!theta.found())
+    const vectorField& U = cloud.vectors["U"];
+    forAll (U, i)
     {
-        return;
-    }
-    forAll (theta.val(), i)
-    {
-        const scalar share = theta.val()[i];
-        if (share < 0 || share > 1)
+        if (!(mag(U[i]) <= fastest))
         {
-            refuseFile(
-                directory / "theta",
-                "Particle " + Foam::name(i) + " has a theta of "
-                    + Foam::name(share)
-                    + ": it is the share of the volume around it that is not "
-                      "grains, from 0 to 1. "
-                    + remedy
+            refuse(
+                i,
+                "U",
+                mag(U[i]),
+                " m/s: nothing that slides is faster than 10000 m/s"
             );
         }
     }
@@ -264,8 +285,7 @@ void checkFields(
     {
         refuseFile(file / missing[0], "The file does not exist\n" + remedy);
     }
-    checkPositive(cloud, file, remedy);
-    checkTheta(cloud, file, remedy);
+    checkRanges(cloud, file, remedy);
 }
 
 //- FatalIOError where the particles are not those of the present release
@@ -1138,7 +1158,7 @@ wordList caseRun::madeByRun(const word& phase) const
     {
         return {"rho", "rhoRef", "I"};
     }
-    wordList made({"rho"});
+    wordList made({"rho", "toGround"});
     if (has("grains"))
     {
         made.append("theta");

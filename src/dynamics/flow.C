@@ -51,7 +51,7 @@ void flow::rates(scalar dt, scalar time, stage where)
     }
     water->arrange(time);
     coupling->porosity();
-    water->divergence();
+    water->divergence(dt, where);
     water->correct(dt, where);
     water->accelerations();
     coupling->forces();

@@ -155,7 +155,7 @@ const realArrays<3>& waterDynamics::volumeFlux() const
     return withGrains_ ? water.flux : water.U;
 }
 
-void waterDynamics::divergence()
+void waterDynamics::divergence(scalar dt, stage where)
 {
     const passTimes::timed pass(times, "continuity");
     volumes();
@@ -166,6 +166,11 @@ void waterDynamics::divergence()
     p.v = flux[1].data();
     p.w = flux[2].data();
     p.rho = water.rho.data();
+    p.ago = where == stage::whole ? 0.5 * dt : 0; // (T 7.4)
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+        p.U[c] = water.U[c].data();
+    }
     p.scale = gradientScale_;
     p.rho0 = state_.rho0();
     for (direction d = 0; d < 3; ++d)
@@ -186,13 +191,9 @@ void waterDynamics::divergence()
         {
             p.strain[c] = strain_[c].data();
         }
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-            p.U[c] = water.U[c].data();
-        }
     }
     engine_.waterContinuity(p);
-    addGround();
+    addGround(where);
     if (viscous_)
     {
         shearRates();
@@ -248,27 +249,62 @@ void waterDynamics::shearRates()
 
 // The velocity goes on behind the ground as its mirror image, so that
 //     div v += 2 v.sum_q A E n                                      (T 5.10)
-void waterDynamics::addGround()
+// in the leapfrog the mean of before and after the drift           (T 7.4)
+void waterDynamics::addGround(stage where)
 {
-    lpfPairs::forChunks(
+    const scalar before = where == stage::whole ? 0.5 : 0;
+    lpfPairs::forEach(
         water.size(),
-        [&](int begin, int end, int)
+        [&](int i)
         {
-            for (int i = begin; i < end; ++i)
+            scalar w = 0;
+            if (slot_[i] >= 0)
             {
-                if (slot_[i] >= 0)
-                {
-                    const auto slot = static_cast<std::size_t>(slot_[i]);
-                    nearWall& near = near_[slot];
-                    near.areaNormal =
-                        gradientScale_ * contracted(thirdMoment(walls_[slot]));
-                    water.rate[i] +=
-                        images_
-                        * (at(volumeFlux(), i) & toVector(near.areaNormal));
-                }
+                const auto slot = static_cast<std::size_t>(slot_[i]);
+                nearWall& near = near_[slot];
+                near.areaNormal =
+                    gradientScale_ * contracted(thirdMoment(walls_[slot]));
+                const vector A = toVector(near.areaNormal);
+                w = at(volumeFlux(), i) & A;
+                near.byGrains = w - ownShare(i) * (at(water.U, i) & A);
+            }
+            w += before * (water.toGround[i] - w);
+            water.toGround[i] = w;
+            water.rate[i] += images_ * w;
+        }
+    );
+}
+
+// As they leave, with the velocity that they leave with
+void waterDynamics::leaveGround()
+{
+    lpfPairs::forEach(
+        water.size(),
+        [&](int i)
+        {
+            water.toGround[i] = 0;
+            if (slot_[i] >= 0)
+            {
+                const nearWall& near =
+                    near_[static_cast<std::size_t>(slot_[i])];
+                const vector A = toVector(near.areaNormal);
+                water.toGround[i] =
+                    near.byGrains + ownShare(i) * (at(water.U, i) & A);
             }
         }
     );
+}
+
+void waterDynamics::drift(scalar dt, scalar time)
+{
+    leaveGround();
+    phaseDynamics::drift(dt, time);
+}
+
+void waterDynamics::driftOn(scalar dt, scalar time)
+{
+    leaveGround();
+    phaseDynamics::driftOn(dt, time);
 }
 
 // Relative rate at which the density is brought back to the packing [1/s]
@@ -289,13 +325,7 @@ void waterDynamics::advanceLag(scalar dt)
         water.size(),
         [&](int i)
         {
-            scalar w = 0;
-            if (slot_[i] >= 0)
-            {
-                const auto slot = static_cast<std::size_t>(slot_[i]);
-                w = at(volumeFlux(), i) & toVector(near_[slot].areaNormal);
-                w /= withGrains_ ? water.theta[i] : 1;
-            }
+            const scalar w = water.toGround[i] / ownShare(i);
             water.lag[i] = (water.lag[i] * (1 - half) + dt * w) / (1 + half);
         }
     );
@@ -611,7 +641,7 @@ void waterDynamics::relaxViscosity(scalar dt)
 void waterDynamics::rates(scalar dt, scalar time, stage where)
 {
     arrange(time);
-    divergence();
+    divergence(dt, where);
     correct(dt, where);
     accelerations();
 }

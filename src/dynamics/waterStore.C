@@ -11,10 +11,11 @@ namespace lpf
 void waterStore::resize(int n)
 {
     particleStore::resize(n);
-    for (auto* f : {&rho, &p, &rate, &curl, &diffusion})
+    for (auto* f : {&rho, &p, &rate, &curl, &diffusion, &toGround})
     {
         f->resize(n);
     }
+    std::fill_n(toGround.data(), n, 0.0);
     lpf::resize(friction, n);
     if (withLag_)
     {
@@ -37,7 +38,7 @@ void waterStore::resize(int n)
 
 std::size_t waterStore::bytes() const
 {
-    return particleStore::bytes() + 5 * rho.bytes() + lpf::bytes(friction)
+    return particleStore::bytes() + 6 * rho.bytes() + lpf::bytes(friction)
          + 2 * theta.bytes() + lpf::bytes(flux) + lpf::bytes(gradPForce)
          + lpf::bytes(drag) + rhoStart.bytes() + lag.bytes();
 }
@@ -47,6 +48,7 @@ void waterStore::permute(const indexArray& order)
     particleStore::permute(order);
     permute(rho, order);
     permute(p, order);
+    permute(toGround, order);
     if (withLag_)
     {
         permute(lag, order);
@@ -81,6 +83,7 @@ void waterStore::fromCloud(const cloudState& cloud)
     };
     read(p, "p");
     read(rho, "rho");
+    read(toGround, "toGround");
     if (withLag_)
     {
         read(lag, "lag");
@@ -108,6 +111,7 @@ cloudState waterStore::toCloud(scalar rho0, scalar h) const
     cloud.scalars.set("rho", density);
     cloud.scalars.set("p", pressure);
     cloud.scalars.set("S", S);
+    cloud.scalars.set("toGround", toField(toGround, size_));
     if (withLag_)
     {
         cloud.scalars.set("lag", toField(lag, size_));

@@ -114,7 +114,9 @@ template<bool withFill, bool withStrain>
 void continuity(const waterContinuityPass& p)
 {
     recordFields<continuityFields(withStrain)> fields = {
-        {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho}};
+        {p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.rho},
+        p.ago,
+        {p.U[0], p.U[1], p.U[2]}};
     if constexpr (withStrain)
     {
         std::copy_n(p.U, 3, fields.of + ownVelocity);
