@@ -2,7 +2,8 @@
 // Water that is moved to where there is room (T 5.23): the packing evens out,
 // a lattice and shallow water stay, and the work is booked. Water that comes to
 // the ground (T 5.24): at first by twice what the ground takes of its kernel,
-// in the end by once.
+// in the end by once. Density of the whole step (T 7.4): water that turns keeps
+// it, and what comes to the ground gets it in steps of any length.
 
 #include <catch2/catch.hpp>
 
@@ -194,23 +195,27 @@ autoPtr<ground> floorOfTheBox()
 }
 
 //- By how much the logarithm of the density of one particle has grown after it
-//  came to the ground in `coming` [s] and stood there for `standing`
-double growth(scalar groundLag, scalar coming, scalar standing)
+//  came to the ground in `coming` [s], so many steps, and stood there for
+//  `standing`
+double growth(
+    scalar groundLag, scalar coming, scalar standing, int stepsOfComing = 400
+)
 {
     waterScheme scheme = plainScheme();
     scheme.groundLag = groundLag;
     waterBox b(floorOfTheBox(), scheme);
     b.put({vector(0.5 * period, 0.5 * period, 2.7 * dx)}, rho0);
     waterStore& w = b.water->water;
-    const scalar dt = coming / 400;
+    const scalar dt = coming / stepsOfComing;
     const int steps = int(std::lround((coming + standing) / dt));
     for (int k = 0; k < steps; ++k)
     {
-        const bool comes = k < 400;
+        const bool comes = k < stepsOfComing;
         set(w.U, 0, vector(0, 0, comes ? -2.2 * dx / coming : 0));
         b.water->rates(dt, 0);
         b.water->drift(dt, 0);
     }
+    b.water->rates(dt, 0); // of the last drift
     CHECK(w.x[2][0] == Approx(0.5 * dx));
     return std::log(w.rho[0] / rho0);
 }
@@ -231,4 +236,74 @@ TEST_CASE("water that comes to the ground: its density in the end is that of "
     INFO("image " << image << ", later " << later << ", at once " << atOnce);
     CHECK(later == Approx(0.5 * image).epsilon(0.01));
     CHECK(atOnce == Approx(image).epsilon(0.01));
+}
+
+
+TEST_CASE("water that comes to the ground: the same density in longer steps")
+{
+    const double exact = growth(0, 40 * h / c0, 0);
+    const double coarse = growth(0, 40 * h / c0, 0, 20) - exact;
+    const double fine = growth(0, 40 * h / c0, 0, 40) - exact;
+    INFO("off by " << coarse << " in 20 steps, " << fine << " in 40");
+    CHECK(mag(coarse) < 0.02 * exact);
+    CHECK(mag(fine) < 0.35 * mag(coarse)); // order 2: 0.25
+}
+
+
+namespace
+{
+
+//- Largest dt div v of a drop that turned by `angle` in a step of dt, each
+//  particle along its chord
+double densityOfTurn(scalar angle, stage where)
+{
+    waterBox b(groundFarAway(), plainScheme());
+    randomNumbers random(11);
+    const vector centre = vector::uniform(0.5 * period);
+    constexpr int side = 4; // nobody sees an image
+    std::vector<vector> x = jitteredLattice(
+        random,
+        centre - vector::uniform(0.5 * side * dx),
+        {side, side, side},
+        dx,
+        0.2 * dx
+    );
+    const vector axis = vector(1, 2, 3) / std::sqrt(14.0);
+    constexpr scalar dt = 1e-3;
+    std::vector<vector> U;
+    for (vector& place : x)
+    {
+        const vector r = place - centre;
+        const vector turned = std::cos(angle) * r + std::sin(angle) * (axis ^ r)
+                            + (1 - std::cos(angle)) * (axis & r) * axis;
+        U.push_back((turned - r) / dt);
+        place = centre + turned;
+    }
+    b.put(x, rho0);
+    waterStore& w = b.water->water;
+    for (int i = 0; i < w.size(); ++i)
+    {
+        set(w.U, i, U[std::size_t(i)]);
+    }
+    b.water->arrange(0);
+    b.water->divergence(dt, where);
+    double most = 0;
+    for (int i = 0; i < w.size(); ++i)
+    {
+        most = max(most, mag(dt * w.rate[i]));
+    }
+    return most;
+}
+
+} // namespace
+
+
+TEST_CASE("water that turns keeps its density, however far in a step")
+{
+    for (const scalar angle : {0.01, 0.1})
+    {
+        CHECK(densityOfTurn(angle, stage::whole) < 1e-12);
+        // with pairs as they stand at the end it grows by the square of that
+        CHECK(densityOfTurn(angle, stage::start) > 0.1 * sqr(angle));
+    }
 }
