@@ -107,13 +107,14 @@ scalar waterDynamics::drawnBack(int i)
 // it (T 6.3) do not change a place alike. What that leaves goes as it is made:
 //     rho <- rho (1 + N |dtheta/theta| a g(S) (S/S_lattice - 1))     (T 6.22)
 // slower than sound: a density that is tied to the packing makes energy; and
-// a = 1 - 10 gam, not beside ground, where layers are no lattice
+// a = 1 - 10 gam, not beside ground, where layers are no lattice. Water that is
+// shifted comes and goes among grains that stand
 void waterDynamics::seePassage(scalar dt)
 {
     constexpr scalar byPassage = 10, ofSound = 0.1;
     const int n = water.size();
     passage_.resize(n);
-    if (!(dt > 0))
+    if (!(dt > 0) || scheme_.shifting > 0)
     {
         std::fill_n(passage_.data(), n, 0.0);
         return;
