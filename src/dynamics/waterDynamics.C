@@ -193,7 +193,7 @@ void waterDynamics::divergence(scalar dt, stage where)
         }
     }
     engine_.waterContinuity(p);
-    addGround(where);
+    addGround(dt, where);
     if (viscous_)
     {
         shearRates();
@@ -249,10 +249,13 @@ void waterDynamics::shearRates()
 
 // The velocity goes on behind the ground as its mirror image, so that
 //     div v += 2 v.sum_q A E n                                      (T 5.10)
-// in the leapfrog the mean of before and after the drift           (T 7.4)
-void waterDynamics::addGround(stage where)
+// in the leapfrog the mean of before and after the drift (T 7.4), and of the
+// pairs with the volumes that they have halfway, those around as its own:
+//     div v <- div v (1 + dt/2 div v)                                (T 7.5)
+void waterDynamics::addGround(scalar dt, stage where)
 {
     const scalar before = where == stage::whole ? 0.5 : 0;
+    const scalar half = before * dt;
     lpfPairs::forEach(
         water.size(),
         [&](int i)
@@ -270,7 +273,9 @@ void waterDynamics::addGround(stage where)
             }
             w += before * (water.toGround[i] - w);
             water.toGround[i] = w;
-            water.rate[i] += images_ * w;
+            const scalar byPairs = water.rate[i];
+            const scalar all = (byPairs + images_ * w) / ownShare(i);
+            water.rate[i] += images_ * w + half * all * byPairs; // (T 7.5)
         }
     );
 }
@@ -398,6 +403,7 @@ void waterDynamics::correct(scalar dt, stage where)
     water.curl.pad(n, 0);
     state_.pressure(n, water.rho.data(), water.p.data());
     water.p.pad(n, 0);
+    volumes(); // for the forces
 }
 
 // What changes the density besides the flow is booked half before and half

@@ -7,10 +7,10 @@ Description  One evaluation of the forces a step, velocities half a step from
                  kick(dt/2)   U^n, the synchronous time
                  kick(dt'/2)  U^(n+1/2), dt' the new time step
                  relax, drift(dt')                                  (T 7.1)
-             Second order in what is elastic and in the places of water
-             (T 7.4), first order in what goes with the velocity: viscosity,
-             noise damping, the change of volumes and, of grains, positions
-             within a step.
+             Second order in what is elastic and in the places and volumes
+             of water (T 7.4, T 7.5), first order in what goes with the
+             velocity: viscosity, noise damping, and, of grains, the change of
+             positions and volumes within a step.
 Limits       CFL of the fastest wave below about 1
 Usage        timeIntegration leapfrog;
 */
