@@ -291,16 +291,30 @@ bool selected(const dictionary& dict, const word& model)
 }
 
 
+bool noneSelected(const dictionary& dict, const wordList& models)
+{
+    return std::none_of(
+        models.begin(),
+        models.end(),
+        [&](const word& model) { return selected(dict, model); }
+    );
+}
+
+
 //- Whether an entry is <Model>Coeffs of a valid model
 bool isCoeffs(
-    const dictionary& dict, const word& keyword, const wordList& coeffsOf
+    const dictionary& dict,
+    const word& keyword,
+    const wordList& coeffsOf,
+    const word& usual
 )
 {
     for (const word& model : coeffsOf)
     {
         if (keyword == model + "Coeffs")
         {
-            if (!selected(dict, model))
+            if (!selected(dict, model)
+                && !(model == usual && noneSelected(dict, coeffsOf)))
             {
                 Info << keyword << " in " << dict.name()
                      << " is not used: " << model << " is not selected" << endl;
@@ -491,14 +505,17 @@ Foam::lpf::readDictionary(const fileName& file, const char* remedy)
 
 
 void Foam::lpf::allowOnly(
-    const dictionary& dict, const wordList& valid, const wordList& coeffsOf
+    const dictionary& dict,
+    const wordList& valid,
+    const wordList& coeffsOf,
+    const word& usual
 )
 {
     for (const entry& e : dict)
     {
         const keyType& key = e.keyword();
         bool known = key == "FoamFile" || valid.found(key)
-                  || isCoeffs(dict, key, coeffsOf);
+                  || isCoeffs(dict, key, coeffsOf, usual);
         for (const word& w : valid)
         {
             known = known || (key.isPattern() && key.match(w));

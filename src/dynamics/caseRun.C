@@ -149,12 +149,22 @@ void caseRun::bookEmpty()
     bookBalance();
 }
 
-// Above the speed that E auto and soundSpeed auto are made for
+// Above the speed that E auto and soundSpeed auto are made for, or any there is
 void caseRun::checkSpeed()
 {
     constexpr scalar most = 1.2;
-    const scalar speed = tooFast_ ? 0 : flow_.maxSpeed();
-    if (speed > most * maxSpeed_ && maxSpeed_ > 0)
+    const scalar speed = flow_.maxSpeed();
+    if (speed > fastestSlide)
+    {
+        FatalErrorInFunction
+            << "The largest speed at time " << control_.time << " s, step "
+            << control_.index << ", is " << speed << " m/s, above "
+            << fastestSlide
+            << " m/s: the solution diverges. Restart from the last time with a "
+            << "smaller CFL, or with artificialViscosity 0.01"
+            << exit(FatalError);
+    }
+    if (!tooFast_ && speed > most * maxSpeed_ && maxSpeed_ > 0)
     {
         tooFast_ = true;
         WarningInFunction
@@ -366,6 +376,14 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     state.set("phases", names);
     setExact(state, "g", scene_.g);
     state.set("ground", groundFingerprint_);
+    if (flow_.grains)
+    {
+        setExact(state, "elasticWave", flow_.rheology->elastic().c());
+    }
+    if (flow_.water)
+    {
+        setExact(state, "soundSpeed", flow_.state->c0());
+    }
     OFstream os(dir / "uniform" / "lpfState");
     os.precision(17);
     os << "FoamFile" << nl << "{" << nl << "    version 2.0;" << nl

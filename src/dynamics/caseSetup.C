@@ -152,12 +152,12 @@ const std::vector<stateRange>& stateRanges()
          "it is the share of the volume around it that is not grains, from 0 "
          "to 1"},
         {"lag",
-         -10,
-         10,
+         -2,
+         2,
          false,
          "",
-         "compression beside the ground is a share of the density, within -10 "
-         "and 10"}};
+         "compression beside the ground is a share of the density, within -2 "
+         "and 2"}};
     return all;
 }
 
@@ -167,7 +167,6 @@ void checkRanges(
     const cloudState& cloud, const fileName& directory, const string& remedy
 )
 {
-    constexpr scalar fastest = 1e4; // [m/s]
     const auto refuse =
         [&](label i, const word& field, scalar value, const string& rule)
     {
@@ -196,7 +195,7 @@ void checkRanges(
     const vectorField& U = cloud.vectors["U"];
     forAll (U, i)
     {
-        if (!(mag(U[i]) <= fastest))
+        if (!(mag(U[i]) <= fastestSlide))
         {
             refuse(
                 i,
@@ -235,6 +234,11 @@ string remedyOf(const bool continued, const wordList& missing)
         return "Run terrainToParticles again";
     }
     string remedy("Go on from an earlier time");
+    if (missing.found("toGround"))
+    {
+        remedy += ", or, where no time of the run has it, from 0: an older "
+                  "version wrote them";
+    }
     if (missing.found("lag"))
     {
         remedy += ", or write groundLag 0; in water of system/lpfSolution, "
@@ -459,7 +463,8 @@ void caseRun::readMaterials()
                 "write water { rho 1000; NewtonianCoeffs { mu 1e-3; } }"
             ),
             {"rho", "equationOfState", "TaitCoeffs", "viscosity"},
-            viscosityModel::names()
+            viscosityModel::names(),
+            viscosityModel::usual
         );
     }
 }
@@ -954,6 +959,14 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
     positive.reason = "drag needs the size of the grains, e.g. 0.005 m";
     const scalar diameter =
         readNumber(phases_.subDict("grains"), "diameter", dimLength, positive);
+    if (diameter > scene_.spacing)
+    {
+        WarningInFunction
+            << "diameter " << diameter << " m of the grains is above the "
+            << "spacing, " << scene_.spacing << " m: a particle stands for "
+            << "many grains, and drag is that of grains so large. Is it in m?"
+            << endl;
+    }
     if (!(flow_.viscosity->molecular() > 0))
     {
         const word model(flow_.viscosity->type());
@@ -1129,9 +1142,46 @@ void caseRun::checkPhases(const dictionary& state) const
     }
 }
 
+namespace
+{
+
+//- Where stress and density are another state of a stiffer or softer material
+void warnOfStiffness(
+    const dictionary& state, const word& wave, scalar now, const char* from
+)
+{
+    constexpr scalar rounding = 1e-9;
+    const scalar before = state.getOrDefault<scalar>(wave, now);
+    if (mag(now - before) > rounding * before)
+    {
+        WarningInFunction
+            << from << " give waves of " << now << " m/s, in the run up to "
+            << "this time they had " << before << " m/s: pressure and stress "
+            << "jump, and with them the stored energy, which the ledger shows "
+            << "as unexplained" << endl;
+    }
+}
+
+} // namespace
+
 // What may be meant, but is another scene than the one the run began with
 void caseRun::warnOfChanges(const dictionary& state) const
 {
+    if (flow_.grains)
+    {
+        warnOfStiffness(
+            state,
+            "elasticWave",
+            flow_.rheology->elastic().c(),
+            "E, nu and stiffness of the grains"
+        );
+    }
+    if (flow_.water)
+    {
+        warnOfStiffness(
+            state, "soundSpeed", flow_.state->c0(), "soundSpeed of the water"
+        );
+    }
     const vector g = state.getOrDefault<vector>("g", scene_.g);
     if (g != scene_.g)
     {

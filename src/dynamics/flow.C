@@ -211,9 +211,12 @@ scalar flow::meanDrag(const phaseDynamics& phase) const
 
 scalar flow::meanGradPForce(const phaseDynamics& phase) const
 {
-    return coupling && &phase == grains.get()
-             ? phase.massMean(grains->grains.gradPForce)
-             : 0;
+    if (!coupling)
+    {
+        return 0;
+    }
+    return &phase == grains.get() ? phase.massMean(grains->grains.gradPForce)
+                                  : coupling->meanGradPForceOfWater();
 }
 
 std::size_t flow::bytes() const

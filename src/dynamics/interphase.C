@@ -264,6 +264,20 @@ void interphase::forces()
     );
 }
 
+// forces() left s_a theta_a f_a in its place                        (T 6.5)
+scalar interphase::meanGradPForceOfWater() const
+{
+    const waterStore& water = water_.water;
+    const scalar sum = orderedSum<sumOf<scalar>>(
+                           water.size(),
+                           [&](int i) {
+                               return sumOf<scalar>{
+                                   mag(at(water.gradPForce, i)) / crowding_[i]};
+                           }
+    ).value;
+    return sum / max(water_.mass().value(), VSMALL);
+}
+
 // m, m v and m a of the particles of one phase, smoothed at those of another
 // or its own
 void interphase::gather(

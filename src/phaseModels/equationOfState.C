@@ -22,6 +22,21 @@ scalar autoSoundSpeed(const soundSpeedScale& s, scalar rho0)
     return max(flow, bed); // (T 5.5)
 }
 
+void warnOfSoft(scalar c0, const soundSpeedScale& s)
+{
+    constexpr scalar machInverse = 5;
+    const scalar fastest = max(s.maxSpeed, sqrt(s.gH));
+    if (c0 < machInverse * fastest)
+    {
+        WarningInFunction
+            << "soundSpeed " << c0 << " m/s is less than five times the speed "
+            << "of this scene, " << fastest << " m/s, the larger one of "
+            << "maxSpeed and sqrt(g H): the density of the water varies by "
+            << 100 * sqr(fastest / c0) << " %. Write soundSpeed auto, or "
+            << "at least " << 2 * machInverse * fastest << endl;
+    }
+}
+
 } // namespace
 
 equationOfState::equationOfState(
@@ -64,6 +79,7 @@ equationOfState::equationOfState(
             "expected speed are all zero; write it in m/s"
         );
     }
+    warnOfSoft(c0_, scale);
 }
 
 autoPtr<equationOfState>

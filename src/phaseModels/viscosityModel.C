@@ -10,6 +10,8 @@ namespace lpf
 defineTypeNameAndDebug(viscosityModel, 0);
 defineRunTimeSelectionTable(viscosityModel, dictionary);
 
+const word viscosityModel::usual("Newtonian");
+
 wordList viscosityModel::names()
 {
     return dictionaryConstructorTablePtr_->sortedToc();
@@ -17,7 +19,7 @@ wordList viscosityModel::names()
 
 autoPtr<viscosityModel> viscosityModel::New(const dictionary& phase)
 {
-    const word name = readChoice(phase, "viscosity", names(), "Newtonian");
+    const word name = readChoice(phase, "viscosity", names(), usual);
     return dictionaryConstructorTablePtr_->cfind(name)()(phase);
 }
 
