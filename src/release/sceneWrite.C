@@ -3,8 +3,6 @@
 #include "foamFile.H"
 #include "OSspecific.H"
 #include "SHA1.H"
-#include "Time.H"
-#include "inputCheck.H"
 
 #include <limits>
 
@@ -54,26 +52,6 @@ void replace(const fileName& from, const fileName& to)
         mv(old, to);
         FatalErrorInFunction << "Cannot write " << to << exit(FatalError);
     }
-}
-
-//- Times that a run of another release left behind
-wordList timesOfOthers(const fileName& caseDir, const word& fingerprint)
-{
-    wordList others;
-    for (const instant& t : Time::findTimes(caseDir))
-    {
-        const fileName file(caseDir / t.name() / "uniform" / "lpfState");
-        if (!isFile(file))
-        {
-            continue;
-        }
-        const dictionary state = readDictionary(file);
-        if (state.lookupOrDefault<word>("release", fingerprint) != fingerprint)
-        {
-            others.append(t.name());
-        }
-    }
-    return others;
 }
 
 } // namespace
@@ -227,16 +205,6 @@ void scenePreparation::write() const
     Info << "Written: constant/terrain constant/polyMesh"
          << " constant/releaseProperties " << clouds.c_str() << caseDir_.name()
          << ".foam" << nl << endl;
-
-    const wordList others = timesOfOthers(caseDir_, fingerprint());
-    if (others.size())
-    {
-        WarningInFunction
-            << others.size() << " times, " << others.first() << " to "
-            << others.last() << ", are of a run with other particles: "
-            << "lpfSolver, depositionSample and lpfToVTK refuse them. "
-            << "Remove them (foamListTimes -rm)" << endl;
-    }
 }
 
 } // namespace lpf
