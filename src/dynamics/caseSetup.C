@@ -349,8 +349,8 @@ caseRun::caseRun(const fileName& caseDir)
           "terrainToParticles writes it: run that first"
       ))
 {
-    const word isa = readSolution();
     readPhases();
+    const word isa = readSolution();
     checkDensities();
     ground_ = ground::read(caseDir);
     groundFingerprint_ = ground::fingerprint(caseDir);
@@ -380,6 +380,19 @@ caseRun::caseRun(const fileName& caseDir)
     runControl::catchSignals();
     began_ = lastLog_ = wallClock::now();
     lastIndex_ = control_.index;
+}
+
+void caseRun::warnOfAbsent(const dictionary& dict) const
+{
+    for (const word& name : {word("grains"), word("water")})
+    {
+        if (!has(name) && dict.found(name))
+        {
+            WarningInFunction
+                << "The dictionary of " << name << " in " << dict.name()
+                << " is not used: phases does not list it" << endl;
+        }
+    }
 }
 
 void caseRun::readPhases()
@@ -423,15 +436,7 @@ void caseRun::readPhases()
             "water);"
         );
     }
-    for (const word& name : known)
-    {
-        if (!has(name) && phases_.found(name))
-        {
-            WarningInFunction << "The dictionary of " << name
-                              << " is not used: phases does not list it"
-                              << endl;
-        }
-    }
+    warnOfAbsent(phases_);
     readMaterials();
 }
 
@@ -610,6 +615,7 @@ word caseRun::readSolution()
         readChoice(dict, "precision", {"double", "single"}, "double")
         == "single";
 
+    warnOfAbsent(dict);
     if (const dictionary* grains = optionalDictionary(dict, "grains"))
     {
         readGrainScheme(*grains);
@@ -932,6 +938,25 @@ dragOperator readDragOperator(const dictionary& dict)
 
 } // namespace
 
+scalar caseRun::grainDiameter() const
+{
+    bounds positive;
+    positive.lower = 0;
+    positive.lowerOpen = true;
+    positive.reason = "drag needs the size of the grains, e.g. 0.005 m";
+    const scalar diameter =
+        readNumber(phases_.subDict("grains"), "diameter", dimLength, positive);
+    if (diameter > scene_.spacing)
+    {
+        WarningInFunction
+            << "diameter " << diameter << " m of the grains is above the "
+            << "spacing, " << scene_.spacing << " m: a particle stands for "
+            << "many grains, and drag is that of grains so large. Is it in m?"
+            << endl;
+    }
+    return diameter;
+}
+
 void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
 {
     const dictionary dict(
@@ -953,20 +978,7 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
     }
     flow_.law.reset(dragLaw::New(dict).ptr());
 
-    bounds positive;
-    positive.lower = 0;
-    positive.lowerOpen = true;
-    positive.reason = "drag needs the size of the grains, e.g. 0.005 m";
-    const scalar diameter =
-        readNumber(phases_.subDict("grains"), "diameter", dimLength, positive);
-    if (diameter > scene_.spacing)
-    {
-        WarningInFunction
-            << "diameter " << diameter << " m of the grains is above the "
-            << "spacing, " << scene_.spacing << " m: a particle stands for "
-            << "many grains, and drag is that of grains so large. Is it in m?"
-            << endl;
-    }
+    const scalar diameter = grainDiameter();
     if (!(flow_.viscosity->molecular() > 0))
     {
         const word model(flow_.viscosity->type());

@@ -378,7 +378,7 @@ def pores():
 # each phase, all of them beside the ground, whose sums are a third of it
 # bytes with the bits of neighbours and of the elements of the ground, which
 # are many in a tank where all particles are near walls
-COST = (("grains", 2, 1, 1080), ("water", 2, 1, 900), ("both", 11, 2, 1190))
+COST = (("grains", 2, 1, 1080), ("water", 2, 1, 900), ("both", 11, 2, 1200))
 
 
 def alone():
