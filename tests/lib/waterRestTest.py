@@ -24,7 +24,7 @@ BOUND = {"gully30": 0.06, "corner90": 0.06}
 SPAN = 10
 SCHEME = {
     "pool": "CFL 0.2; water { shifting 3; densityRelaxation 0.001; }\n",
-    "bed": "water { shifting 3; densityRelaxation 0.001; }\n",
+    "bed": "water { shifting 3; }\n",
 }
 
 
