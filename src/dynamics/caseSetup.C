@@ -144,7 +144,7 @@ const std::vector<stateRange>& stateRanges()
         {"rho", 0, 2e4, true, " kg/m3", massive},
         {"rhoRef", 0, 2e4, true, " kg/m3", massive},
         // 0: not seen yet, in the first step of all
-        {"theta",
+        {"meanTheta",
          0,
          1,
          false,
@@ -1223,7 +1223,7 @@ wordList caseRun::madeByRun(const word& phase) const
     wordList made({"rho", "toGround"});
     if (has("grains"))
     {
-        made.append("theta");
+        made.append("meanTheta");
     }
     if (waterScheme_.groundLag > 0)
     {

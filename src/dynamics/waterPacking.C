@@ -105,33 +105,38 @@ scalar waterDynamics::drawnBack(int i)
 
 // Where grains come or go, the shares of their volume (T 6.1) and the flux of
 // it (T 6.3) do not change a place alike. What that leaves goes as it is made:
-//     rho <- rho (1 + N |dtheta/theta| a g(S) (S/S_lattice - 1))     (T 6.22)
-// slower than sound: a density that is tied to the packing makes energy; and
-// a = 1 - 10 gam, not beside ground, where layers are no lattice. Water that is
-// shifted comes and goes among grains that stand
+//     rho <- rho (1 + N |dm/theta| a g(S) (S/S_lattice - 1))         (T 6.22)
+//     dm = dt |v_p - v|/(4 h) (theta - m),  v_p - v = (q - v)/(1 - theta)
+// m the mean of theta over the grains that passed by, from pore to pore the
+// same; slower than sound: a density that is tied to the packing makes energy;
+// a = 1 - 10 gam, not beside ground, where layers are no lattice
 void waterDynamics::seePassage(scalar dt)
 {
-    constexpr scalar byPassage = 10, ofSound = 0.1;
+    constexpr scalar byPassage = 10, ofSound = 0.1, few = 0.01;
     const int n = water.size();
     passage_.resize(n);
-    if (!(dt > 0) || scheme_.shifting > 0)
+    if (!(dt > 0))
     {
         std::fill_n(passage_.data(), n, 0.0);
         return;
     }
     const scalar fastest = ofSound * soundRate_;
+    const scalar across = 4 * scene_.h;
     lpfPairs::forEach(
         n,
         [&](int i)
         {
-            const scalar now = water.theta[i];
-            // 0: the first step of all
-            const scalar before =
-                water.thetaBefore[i] > 0 ? water.thetaBefore[i] : now;
-            const scalar rate = byPassage / dt * mag(now / before - 1);
+            const scalar theta = water.theta[i];
+            scalar& mean = water.meanTheta[i];
+            mean = mean > 0 ? mean : theta; // 0: the first step of all
+            const scalar slip =
+                mag(at(water.flux, i) - at(water.U, i)) / max(1 - theta, few);
+            const scalar change =
+                min(scalar(1), dt * slip / across) * (theta - mean);
+            mean += change;
+            const scalar rate = byPassage / dt * mag(change) / theta;
             const scalar away = 1 - std::clamp(10 * groundShare(i), 0.0, 1.0);
             passage_[i] = away * min(fastest, rate);
-            water.thetaBefore[i] = now;
         }
     );
 }

@@ -24,8 +24,8 @@ void waterStore::resize(int n)
     if (withGrains_)
     {
         theta.resize(n);
-        thetaBefore.resize(n);
-        std::fill_n(thetaBefore.data(), n, 0.0);
+        meanTheta.resize(n);
+        std::fill_n(meanTheta.data(), n, 0.0);
         lpf::resize(flux, n);
         lpf::resize(gradPForce, n);
         lpf::resize(drag, n);
@@ -56,7 +56,7 @@ void waterStore::permute(const indexArray& order)
     if (withGrains_)
     {
         permute(theta, order);
-        permute(thetaBefore, order);
+        permute(meanTheta, order);
         permute(drag, order);
     }
     if (keepsStart_)
@@ -90,7 +90,7 @@ void waterStore::fromCloud(const cloudState& cloud)
     }
     if (withGrains_)
     {
-        read(thetaBefore, "theta");
+        read(meanTheta, "meanTheta");
     }
 }
 
@@ -122,7 +122,7 @@ cloudState waterStore::toCloud(scalar rho0, scalar h) const
         {
             alpha[i] *= theta[i];
         }
-        cloud.scalars.set("theta", toField(thetaBefore, size_));
+        cloud.scalars.set("meanTheta", toField(meanTheta, size_));
         cloud.vectors.set("drag", toField(drag, size_));
     }
     cloud.scalars.set("alpha", alpha);
