@@ -408,8 +408,8 @@ void waterDynamics::correct(scalar dt, stage where)
 
 // What changes the density besides the flow is booked half before and half
 // after it, as the forces before and after see it. And Balsara's switch from
-// div and curl,
-//     f = |div|/(|div| + |curl| + 1e-4 c0/h)                        (T 5.8)
+// div and curl, not of water that has parted,
+//     f = |div|/(|div| + |curl| + 1e-4 c0/h),  1 where rho < rho0   (T 5.8)
 void waterDynamics::advanceDensity(scalar dt)
 {
     const scalar quiet = 1e-4 * soundRate_;
@@ -424,7 +424,9 @@ void waterDynamics::advanceDensity(scalar dt)
                 const scalar flow = rho.moved / before;
                 const scalar half = before + 0.5 * (rho.end - rho.moved);
                 water.rho[i] = rho.end;
-                water.curl[i] = div / (div + water.curl[i] + quiet);
+                water.curl[i] = rho.end < state_.rho0()
+                                  ? 1
+                                  : div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
                     * (state_.released(before, half)
