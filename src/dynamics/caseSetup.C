@@ -440,6 +440,22 @@ void caseRun::readPhases()
     readMaterials();
 }
 
+namespace
+{
+
+// 2.6 for 2.6 g/cm3
+void warnOfLight(const word& phase, const scalar rho)
+{
+    constexpr scalar lightest = 50;
+    if (rho < lightest)
+    {
+        WarningInFunction << "rho " << rho << " kg/m3 of " << phase
+                          << " is that of a gas; 1 g/cm3 is rho 1000" << endl;
+    }
+}
+
+} // namespace
+
 void caseRun::readMaterials()
 {
     if (has("grains"))
@@ -458,6 +474,7 @@ void caseRun::readMaterials()
         positive.lowerOpen = true;
         positive.reason = "the density of the grain material, e.g. 2600 kg/m3";
         grainDensity_ = readNumber(grains, "rho", dimDensity, positive);
+        warnOfLight("grains", grainDensity_);
     }
     if (has("water"))
     {
@@ -731,6 +748,14 @@ void caseRun::readGroundLag(const dictionary& dict)
         lag,
         waterScheme_.shifting > 0 ? 0 : waterScheme_.groundLag
     );
+    if (waterScheme_.shifting > 0 && waterScheme_.groundLag > 0)
+    {
+        WarningInFunction
+            << "shifting " << waterScheme_.shifting << " and groundLag "
+            << waterScheme_.groundLag << " together are worse than either: "
+            << "what is shifted and flows back changes the density each time. "
+            << "Leave groundLag out, which is then 0" << endl;
+    }
     if (dict.found("groundLag") && waterScheme_.groundLag > 0
         && groundContact::asksPenalty(boundary_))
     {
@@ -874,6 +899,7 @@ void caseRun::makeWater(const lpfPairs::pairEngine& engine)
         has("grains") ? &flow_.rheology->elastic() : nullptr;
     const soundSpeedScale sound = soundScale(scale(), skeleton, grainDensity_);
     flow_.state.reset(equationOfState::New(phase, sound).ptr());
+    warnOfLight("water", flow_.state->rho0());
     flow_.viscosity.reset(viscosityModel::New(phase).ptr());
     chooseViscosityIntegration();
     checkStick();
