@@ -27,8 +27,9 @@ LIMIT = {"quick": 900, "verification": 4 * 3600, "benchmark": 24 * 3600}
 SOURCE = (".C", ".H")
 # Process groups that run now, to end with us
 RUNNING = set()
-# Never more than two at once: memory, and timings that mean something
-JOBS = min(2, os.cpu_count() or 1)
+CORES = os.cpu_count() or 1
+# Tests at once, never more than two: memory, and timings that mean something
+JOBS = min(2, CORES)
 
 
 class Test:
@@ -38,7 +39,7 @@ class Test:
         self.name = name
         self.tier = tier
         self.folder = RUN / name
-        self.threads = max(1, (os.cpu_count() or 1) // JOBS)
+        self.jobs = JOBS
 
     @property
     def log(self):
@@ -46,8 +47,9 @@ class Test:
 
     def shell(self, command, folder, log, limit=None):
         """Exit status of a command; its output goes to the open file log."""
-        environment = dict(os.environ, OMP_NUM_THREADS=str(self.threads),
-                           LPF_TEST_JOBS=str(JOBS), LPF_QUIET="1",
+        threads = max(1, CORES // self.jobs)
+        environment = dict(os.environ, OMP_NUM_THREADS=str(threads),
+                           LPF_TEST_JOBS=str(self.jobs), LPF_QUIET="1",
                            # a thread that waits leaves its core to another
                            OMP_WAIT_POLICY="passive",
                            # OpenFOAM warns where it is not the true folder
@@ -406,25 +408,30 @@ def main():
     signal.signal(signal.SIGTERM, interrupted)
     parser = argparse.ArgumentParser(prog="Alltest", add_help=False)
     parser.add_argument("-tier", choices=(*TIERS, "all"))
-    parser.add_argument("-case", default="")
+    parser.add_argument("-case", nargs="+", default=[""])
     parser.add_argument("-list", action="store_true")
     options = parser.parse_args()
-    tier = options.tier or ("all" if options.case else "quick")
+    tier = options.tier or ("all" if any(options.case) else "quick")
 
     tests = [t for t in allTests()
-             if tier in ("all", t.tier) and options.case in t.name]
+             if tier in ("all", t.tier)
+             and any(word in t.name for word in options.case)]
     if options.list:
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in `| head`
         print("\n".join(t.name for t in tests))
         return 0
     if not tests:
-        print(f"no test with '{options.case}' in its name in tier {tier}")
+        print(f"no test with '{' or '.join(options.case)}' in its name in "
+              f"tier {tier}")
         print("0 passed, 1 failed")
         return 1
 
     passed = failed = 0
     together = [t for t in tests if t.tier != "benchmark"]
-    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
+    jobs = min(JOBS, max(1, len(together)))  # one alone has all cores
+    for test in together:
+        test.jobs = jobs
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for result in concurrent.futures.as_completed(
                 [pool.submit(execute, t) for t in together]):
             good, bad = report(*result.result())
@@ -432,7 +439,7 @@ def main():
             failed += bad
     for test in tests:
         if test.tier == "benchmark":
-            test.threads = os.cpu_count() or 1
+            test.jobs = 1
             good, bad = report(*execute(test))
             passed += good
             failed += bad
