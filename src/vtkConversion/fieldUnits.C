@@ -11,7 +11,7 @@ Foam::string Foam::lpf::unitsOf(const word& field)
         {"mass", "kg"},     {"alpha", "1"},      {"h", "m"},
         {"sigma", "Pa"},    {"p", "Pa"},         {"I", "1"},
         {"rho", "kg/m3"},   {"rhoRef", "kg/m3"}, {"toGround", "1/s"},
-        {"lag", "1"},       {"meanTheta", "1"},      {"a", "m/s2"},
+        {"lag", "1"},       {"meanTheta", "1"},  {"a", "m/s2"},
         {"drag", "m/s2"},   {"S", "1"},          {"gradPForce", "m/s2"},
         {"elevation", "m"}, {"origin", "m"},     {"TimeValue", "s"}};
 
