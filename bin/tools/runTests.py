@@ -408,20 +408,21 @@ def main():
     signal.signal(signal.SIGTERM, interrupted)
     parser = argparse.ArgumentParser(prog="Alltest", add_help=False)
     parser.add_argument("-tier", choices=(*TIERS, "all"))
-    parser.add_argument("-case", nargs="+", default=[""])
+    parser.add_argument("-case", nargs="+", action="extend", default=[])
     parser.add_argument("-list", action="store_true")
     options = parser.parse_args()
-    tier = options.tier or ("all" if any(options.case) else "quick")
+    tier = options.tier or ("all" if options.case else "quick")
+    words = options.case or [""]
 
     tests = [t for t in allTests()
              if tier in ("all", t.tier)
-             and any(word in t.name for word in options.case)]
+             and any(word in t.name for word in words)]
     if options.list:
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in `| head`
         print("\n".join(t.name for t in tests))
         return 0
     if not tests:
-        print(f"no test with '{' or '.join(options.case)}' in its name in "
+        print(f"no test with '{' or '.join(words)}' in its name in "
               f"tier {tier}")
         print("0 passed, 1 failed")
         return 1
