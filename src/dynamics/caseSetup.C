@@ -234,7 +234,7 @@ string remedyOf(const bool continued, const wordList& missing)
         return "Run terrainToParticles again";
     }
     string remedy("Go on from an earlier time");
-    if (missing.found("toGround"))
+    if (missing.found("toGround") || missing.found("meanTheta"))
     {
         remedy += ", or, where no time of the run has it, from 0: an older "
                   "version wrote them";
@@ -472,6 +472,7 @@ void caseRun::readMaterials()
         bounds positive;
         positive.lower = 0;
         positive.lowerOpen = true;
+        positive.upper = 2e4;
         positive.reason = "the density of the grain material, e.g. 2600 kg/m3";
         grainDensity_ = readNumber(grains, "rho", dimDensity, positive);
         warnOfLight("grains", grainDensity_);
