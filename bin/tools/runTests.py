@@ -417,15 +417,15 @@ def main():
     tests = [t for t in allTests()
              if tier in ("all", t.tier)
              and any(word in t.name for word in words)]
-    if options.list:
-        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in `| head`
-        print("\n".join(t.name for t in tests))
-        return 0
     if not tests:
         print(f"no test with '{' or '.join(words)}' in its name in "
               f"tier {tier}")
         print("0 passed, 1 failed")
         return 1
+    if options.list:
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in `| head`
+        print("\n".join(t.name for t in tests))
+        return 0
 
     passed = failed = 0
     together = [t for t in tests if t.tier != "benchmark"]
