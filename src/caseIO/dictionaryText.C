@@ -4,6 +4,7 @@
 #include "error.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "SHA1.H"
 #include "stringOps.H"
 
 #include <algorithm>
@@ -391,6 +392,24 @@ Foam::lpf::placeOf(const fileName& file, const word& key, const label line)
         }
     }
     return {file, line};
+}
+
+
+Foam::word Foam::lpf::digestOf(const fileName& file)
+{
+    std::vector<namedText> files;
+    addFiles(file, files);
+    SHA1 sum;
+    for (const namedText& f : files)
+    {
+        std::istringstream words(f.text);
+        for (std::string each; words >> each;)
+        {
+            sum.append(each);
+        }
+    }
+    // a letter first: digits would be read as a number
+    return word("d" + sum.str().substr(0, 16));
 }
 
 

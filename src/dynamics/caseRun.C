@@ -379,6 +379,7 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     state.set("phases", names);
     setExact(state, "g", scene_.g);
     state.set("ground", groundFingerprint_);
+    state.set("settings", settings_);
     if (flow_.grains)
     {
         setExact(state, "elasticWave", flow_.rheology->elastic().c());
@@ -386,6 +387,10 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     if (flow_.water)
     {
         setExact(state, "soundSpeed", flow_.state->c0());
+        if (flow_.water->followsMoment())
+        {
+            setExact(state, "gradientScale", flow_.water->gradientScale());
+        }
     }
     OFstream os(dir / "uniform" / "lpfState");
     os.precision(17);

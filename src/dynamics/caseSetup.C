@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "caseRun.H"
 
+#include "dictionaryText.H"
 #include "engineLoader.H"
 #include "inputCheck.H"
 #include "releaseCheck.H"
@@ -349,6 +350,9 @@ caseRun::caseRun(const fileName& caseDir)
           "terrainToParticles writes it: run that first"
       ))
 {
+    warnOfEditedRelease();
+    noteSettings("boundaryProperties");
+    noteSettings("phaseProperties");
     readPhases();
     const word isa = readSolution();
     checkDensities();
@@ -623,7 +627,7 @@ word caseRun::readSolution()
     CFL.upper = 1;
     CFL.reason = "above 1 a wave passes a smoothing length in one step and "
                  "the run blows up; write 0.3";
-    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, 0.3);
+    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, scheme_.CFL);
 
     readDamping(dict);
     logInterval_ =
@@ -992,6 +996,7 @@ void caseRun::makeCoupling(const lpfPairs::pairEngine& engine)
     allowOnly(
         dict, {"drag", "dragOperator", "pressureCoupling", "skeletonModulus"}
     );
+    noteSettings("interphaseProperties");
     const dragOperator howDragActs = readDragOperator(dict);
     // difference is the word of older cases
     if (readChoice(
@@ -1204,6 +1209,25 @@ void warnOfStiffness(
 } // namespace
 
 // What may be meant, but is another scene than the one the run began with
+void caseRun::noteSettings(const word& file)
+{
+    settings_.set(file, digestOf(caseDir_ / "constant" / file));
+}
+
+// Ground and particles are those of the last terrainToParticles
+void caseRun::warnOfEditedRelease() const
+{
+    const fileName file(caseDir_ / "system" / "terrainToParticlesDict");
+    if (release_.found("dictionary") && isFile(file)
+        && release_.get<word>("dictionary") != digestOf(file))
+    {
+        WarningInFunction
+            << "system/terrainToParticlesDict has been changed since "
+            << "terrainToParticles ran: ground and particles are those of "
+            << "before. Run it again, or take the change back" << endl;
+    }
+}
+
 void caseRun::warnOfChanges(const dictionary& state) const
 {
     if (flow_.grains)
@@ -1229,6 +1253,18 @@ void caseRun::warnOfChanges(const dictionary& state) const
             << "time it was " << g << ": the run goes on with the new one. The "
             << "potential energy jumps by that, which the ledger shows as "
             << "unexplained" << endl;
+    }
+    const dictionary before = state.subOrEmptyDict("settings");
+    for (const word& file : settings_.toc())
+    {
+        const word now = settings_.get<word>(file);
+        if (before.getOrDefault<word>(file, now) != now)
+        {
+            WarningInFunction
+                << "constant/" << file << " is not that of the run up to this "
+                << "time: the run goes on with the new one. If that is not "
+                << "meant, take the change back or start from time 0" << endl;
+        }
     }
     if (state.getOrDefault<word>("ground", groundFingerprint_)
         != groundFingerprint_)
@@ -1340,6 +1376,18 @@ boundBox caseRun::continueFrom(const fileName& dir, const dictionary& state)
     control_.index = t.index;
     control_.deltaT = t.deltaT;
     control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
+    if (flow_.water && flow_.water->followsMoment())
+    {
+        bounds lambda;
+        lambda.lower = 0.5;
+        lambda.upper = 2;
+        lambda.reason = "it is lambda of (T 2.5), which a run made. Go on from "
+                        "an earlier time, or from time 0 where the run is of "
+                        "an older version";
+        flow_.water->setGradientScale(
+            readNumber(state, "gradientScale", dimless, lambda)
+        );
+    }
     return boundBox(
         state.get<point>("domainMin"), state.get<point>("domainMax")
     );

@@ -273,6 +273,34 @@ void runControl::chooseStart(const dictionary& dict)
         }
     }
     time = startTime_;
+    warnOfLaterTimes(present);
+}
+
+// A run that goes back in time writes over the same times only
+void runControl::warnOfLaterTimes(const instantList& present) const
+{
+    wordList later;
+    for (const instant& t : present)
+    {
+        if (t.value() > startTime_)
+        {
+            later.append(t.name());
+        }
+    }
+    if (!later.empty())
+    {
+        string names;
+        for (const word& name : later)
+        {
+            names += (names.empty() ? "" : " ") + name;
+        }
+        WarningInFunction
+            << "Times after the start are there, of an earlier run: ("
+            << names.c_str() << "). This run writes over those that it "
+            << "comes to; depositionSample and lpfToVTK take what is there. If "
+            << "they are not to be mixed, remove them first: foamListTimes -rm "
+            << "-time '" << later.first() << ":'" << endl;
+    }
 }
 
 word runControl::timeName(scalar t) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenePreparation.H"
 #include "crs.H"
+#include "dictionaryText.H"
 #include "frictionMapping.H"
 #include "inputCheck.H"
 #include "OSspecific.H"
@@ -32,6 +33,11 @@ scenePreparation::scenePreparation(
     const fileName& caseDir, const fileName& dictFile
 )
     : caseDir_(caseDir), dict_(readDictionary(dictFile)),
+      dictDigest_(
+          dictFile == caseDir / "system" / "terrainToParticlesDict"
+              ? digestOf(dictFile)
+              : word()
+      ),
       g_(readGravity(caseDir)),
       boundaries_(readDictionary(caseDir / "constant" / "boundaryProperties")),
       frame_(readSceneFrame(boundaries_))

@@ -152,6 +152,10 @@ void scenePreparation::writeReleaseProperties(const fileName& file) const
     os.writeEntry("maxSpeed", maxSpeed());
     os.writeEntry("zones", names_);
     os.writeEntry("fingerprint", fingerprint());
+    if (!dictDigest_.empty())
+    {
+        os.writeEntry("dictionary", dictDigest_);
+    }
     writePhases(os);
     out.close();
 }

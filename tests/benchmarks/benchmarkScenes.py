@@ -82,7 +82,7 @@ def write(path, scene, end=1e-9, interval=None):
         "edges ((%.9g 0 0) (0 %.9g 0) (0 0 %.9g)); %s }"
         % (scene["spacing"], scene["maxSpeed"], scene["ground"],
            *scene["box"], scene["release"]))
-    solution = "logInterval 1000;\nCFL %g;\n" % scene["CFL"]
+    solution = "logInterval 1000;\nCFL %s;\n" % scene["CFL"]
     if scene["precision"] != "double":
         solution += "precision %s;\n" % scene["precision"]
     case.write("system/lpfSolution", solution)

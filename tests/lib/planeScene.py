@@ -12,8 +12,9 @@ from lpfCase import Case, averaged, mean, rms  # noqa: F401
 
 G = 9.81
 RHO_P, RHO_F = 2600.0, 1000.0
-# of flowing grains, the same for columns and chutes
-FLOWING = "bulkDamping 0.1; grains { densityRelaxation 1; shifting 1; }"
+# of grains, the same for columns, chutes, what stops on them, and beds
+FLOWING = ("bulkDamping 0.1; "
+           "grains { densityRelaxation 1; shifting 1; stressDiffusion 0.02; }")
 
 
 def polygon(name, zone, points):

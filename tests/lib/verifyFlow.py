@@ -112,10 +112,6 @@ class Stops(Verification):
     reference = "tan 20 degrees below mu_s = tan 21: a layer of 0.5 m/s stops"
     bounds = {"speed left": 0.001}
     axes = ("t [s]", "u/u(0)")
-    findings = {"speed left": (
-        "10 and 20 layers come to rest and stay, since their density and places "
-        "follow the packing. With 40 the layer creeps on: its pressure is noisy at "
-        "rest, and noise takes strength (tan 20 is 95 % of mu_s).")}
     negatives = {"a slope of 22 degrees": ({"degrees": 22}, "speed left", 10)}
 
     def measure(self, layers, degrees=20):
