@@ -168,13 +168,21 @@ class Cap(Verification):
     axes = ("x/L", "h/h0")
     L = 1.0
 
+    phases, content = "grains", "grains { solidFraction 0.6; }"
+
+    def material(self, delta, h0, t):
+        """What Scene has to know of it, with a base of mu = tan(delta)"""
+        return {
+            "grains": self.grains,
+            "zones": "floor { friction Coulomb; mu %.17g; }" % math.tan(
+                math.radians(delta))}
+
     def measure(self, layers, delta=25):
         h0, L = 0.05 * self.L, self.L
         dx, t = h0 / layers, 3 * math.sqrt(L / G)
         scene = Scene(
-            dx=dx, degrees=35, grains=self.grains, maxSpeed=3.0, end=t, log=200,
-            zones="floor { friction Coulomb; mu %.17g; }" % math.tan(
-                math.radians(delta)))
+            dx=dx, phases=self.phases, degrees=35, maxSpeed=3.0, end=t, log=200,
+            **self.material(delta, h0, t))
         scene.ground = scene.floor(-2 * L, 4 * L)
         columns = int(round(2 * L / dx))
         scene.release = "".join(
@@ -189,17 +197,20 @@ class Cap(Verification):
         if not count:
             return ""
         return scene.box("c%d" % k, x - 0.5 * scene.dx, x + 0.5 * scene.dx, 0,
-                         count * scene.dx, "grains { solidFraction 0.6; }")
+                         count * scene.dx, self.content)
 
     def compared(self, case, scene, h0, t):
         L, z, d = self.L, math.radians(35), math.radians(25)
         g = growth(math.sqrt(4 * self.k * G * math.cos(z) * h0) / L * t)
         way = 0.5 * G * (math.sin(z) - math.cos(z) * math.tan(d)) * t * t
         last = case.times()[-1]
-        x = [p[0] for p in case.field(last, "positions")]
-        moved = mean(x) - mean(p[0] for p in case.field("0", "positions"))
+
+        def centre(time):
+            return mean(p[0] for p in case.field(time, "positions", self.phases))
+
+        moved = centre(last) - centre("0")
         edges, centres = bins(way - 1.3 * g * L, way + 1.3 * g * L, 52)
-        found = thickness(case, last, "grains", edges, scene.dx ** 2)
+        found = thickness(case, last, self.phases, edges, scene.dx ** 2)
         exact = binned(
             lambda s: max(0.0, h0 / g * (1 - ((s - way) / (g * L)) ** 2)), edges)
         # of the mean of the bins within a quarter of the half length
@@ -231,6 +242,28 @@ class Plug(Cap):
         "coefficient 1", "coefficient %.3f, active, internal friction of 35 "
         "degrees" % active(35, 25))
     negatives = {"friction of 27 degrees": ({"delta": 27}, "centre", 4)}
+
+
+class Liquid(Cap):
+    """No friction inside, and a viscosity that hands that of the base on: from
+    the base to the surface the speed differs by 5 % of what it is at the end"""
+
+    name = "savageHutter.liquid"
+    findings = {}
+    phases, content = "water", "water {}"
+    reference = Cap.reference + (
+        ", a liquid whose speed differs by 5 % over the depth")
+    negatives = {"friction of 27 degrees": ({"delta": 27}, "centre", 4)}
+
+    def material(self, delta, h0, t):
+        z, rho, differs = math.radians(35), 1500, 0.05
+        mu = math.tan(math.radians(delta))
+        base = mu * rho * G * math.cos(z) * h0
+        speed = G * (math.sin(z) - math.cos(z) * mu) * t
+        return {
+            "rhoWater": rho, "mu": base * h0 / (2 * differs * speed),
+            "zones": "floor { friction none; waterFriction Voellmy; "
+                     "waterFrictionCoeffs { mu %.17g; xi 1e9; } }" % mu}
 
 
 class Mangeney(Verification):
@@ -289,4 +322,5 @@ class RoughPlug(Mangeney):
 
 
 CASES = (
-    Coulomb, PorePressure, Saturated, Seepage, Cap, Plug, Smooth, Rough, RoughPlug)
+    Coulomb, PorePressure, Saturated, Seepage, Cap, Plug, Liquid, Smooth, Rough,
+    RoughPlug)
