@@ -403,9 +403,15 @@ Foam::word Foam::lpf::digestOf(const fileName& file)
     for (const namedText& f : files)
     {
         std::istringstream words(f.text);
-        for (std::string each; words >> each;)
+        std::string before;
+        for (std::string each; words >> each; before = each)
         {
-            sum.append(each);
+            // a blank says nothing beside brackets
+            const std::string marks = "{}();";
+            const bool apart = !before.empty()
+                            && marks.find(before.back()) == std::string::npos
+                            && marks.find(each.front()) == std::string::npos;
+            sum.append((apart ? " " : "") + each);
         }
     }
     // a letter first: digits would be read as a number

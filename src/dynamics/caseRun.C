@@ -387,10 +387,6 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     if (flow_.water)
     {
         setExact(state, "soundSpeed", flow_.state->c0());
-        if (flow_.water->followsMoment())
-        {
-            setExact(state, "gradientScale", flow_.water->gradientScale());
-        }
     }
     OFstream os(dir / "uniform" / "lpfState");
     os.precision(17);

@@ -1208,7 +1208,6 @@ void warnOfStiffness(
 
 } // namespace
 
-// What may be meant, but is another scene than the one the run began with
 void caseRun::noteSettings(const word& file)
 {
     settings_.set(file, digestOf(caseDir_ / "constant" / file));
@@ -1228,6 +1227,7 @@ void caseRun::warnOfEditedRelease() const
     }
 }
 
+// What may be meant, but is another scene than the one the run began with
 void caseRun::warnOfChanges(const dictionary& state) const
 {
     if (flow_.grains)
@@ -1376,18 +1376,6 @@ boundBox caseRun::continueFrom(const fileName& dir, const dictionary& state)
     control_.index = t.index;
     control_.deltaT = t.deltaT;
     control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
-    if (flow_.water && flow_.water->followsMoment())
-    {
-        bounds lambda;
-        lambda.lower = 0.5;
-        lambda.upper = 2;
-        lambda.reason = "it is lambda of (T 2.5), which a run made. Go on from "
-                        "an earlier time, or from time 0 where the run is of "
-                        "an older version";
-        flow_.water->setGradientScale(
-            readNumber(state, "gradientScale", dimless, lambda)
-        );
-    }
     return boundBox(
         state.get<point>("domainMin"), state.get<point>("domainMax")
     );

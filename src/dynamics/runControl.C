@@ -289,17 +289,13 @@ void runControl::warnOfLaterTimes(const instantList& present) const
     }
     if (!later.empty())
     {
-        string names;
-        for (const word& name : later)
-        {
-            names += (names.empty() ? "" : " ") + name;
-        }
         WarningInFunction
-            << "Times after the start are there, of an earlier run: ("
-            << names.c_str() << "). This run writes over those that it "
-            << "comes to; depositionSample and lpfToVTK take what is there. If "
-            << "they are not to be mixed, remove them first: foamListTimes -rm "
-            << "-time '" << later.first() << ":'" << endl;
+            << "Times after the start are there, of an earlier run: "
+            << later.size() << ", the first " << later.first() << ", the last "
+            << later.last() << ". This run writes over those that it comes to; "
+            << "depositionSample and lpfToVTK take what is there. If they are "
+            << "not to be mixed, remove them first: foamListTimes -rm -time '"
+            << later.first() << ":'" << endl;
     }
 }
 
@@ -448,7 +444,9 @@ void runControl::purge() const
     label kept = 0;
     for (label k = times.size() - 1; k >= 0; --k)
     {
-        if (times[k].name() != "constant" && times[k].value() > 0
+        // later ones are of an earlier run
+        const scalar at = times[k].value();
+        if (times[k].name() != "constant" && at > 0 && at <= time + 0.5 * deltaT
             && ++kept > purgeWrite_)
         {
             rmDir(caseDir_ / times[k].name());

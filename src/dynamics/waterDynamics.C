@@ -193,10 +193,6 @@ void waterDynamics::divergence(scalar dt, stage where)
         }
     }
     engine_.waterContinuity(p);
-    if (followsMoment())
-    {
-        followMoment(dt);
-    }
     addGround(dt, where);
     if (viscous_)
     {
@@ -419,8 +415,8 @@ void waterDynamics::correct(scalar dt, stage where)
 // after it, as the forces before and after see it. And Balsara's switch from
 // div and curl, not of free water that has parted,
 //     f = |div|/(|div| + |curl| + 1e-4 c0/h),
-//     f <- b f + 1 - b where rho < rho0                             (T 5.8)
-// b of (T 6.17): in pores that are not full f stays
+//     f <- b f + 1 - b where rho < rho0,  b = min(1, 10 chi)        (T 5.8)
+// In pores that are not full f stays
 void waterDynamics::advanceDensity(scalar dt)
 {
     const scalar quiet = 1e-4 * soundRate_;

@@ -26,63 +26,10 @@ void waterDynamics::takePacking(lpfPairs::waterContinuityPass& pass)
     }
     realArrays<3>& gradient = keepsPacking() ? gradFill_ : water.friction;
     pass.fill = (keepsPacking() ? fill_ : water.a[0]).data();
-    if (followsMoment())
-    {
-        const vector down = normalised(scene_.g);
-        for (direction d = 0; d < 3; ++d)
-        {
-            pass.along[d] = down[d];
-        }
-        pass.moment = water.a[1].data();
-    }
     for (std::size_t c = 0; c < 3; ++c)
     {
         pass.gradFill[c] = gradient[c].data();
     }
-}
-
-// Water that moved is no lattice: lambda goes to what makes the gradient along
-// gravity exact in the mean of the particles that have neighbours all round,
-//     d lambda/dt = c0/(10 h) (1/<M> - lambda),
-//     M = Sc/S sum_j V_j (x_j - x_i).g gradW_ij.g/|g|^2             (T 2.5)
-// (The pass has multiplied M by lambda.)
-void waterDynamics::followMoment(scalar dt)
-{
-    constexpr scalar slow = 0.1;
-    struct moments
-    {
-        scalar wanted = 0, found = 0;
-        void operator+=(const moments& b)
-        {
-            wanted += b.wanted;
-            found += b.found;
-        }
-    };
-    const moments all = orderedSum<moments>(
-        water.size(),
-        [&](int i)
-        {
-            const scalar w = momentWeight(i);
-            const scalar perFill = fillOfLattice(i) / fill()[i];
-            return moments{w, w * perFill * water.a[1][i]};
-        }
-    );
-    if (all.found > 0)
-    {
-        const scalar change = min(scalar(1), slow * soundRate_ * dt);
-        gradientScale_ *= 1 + change * (all.wanted / all.found - 1);
-    }
-}
-
-// (1 - h |gradS|/(0.05 S)) (1 - 100 gam) P/(rho0 |g| h), each within 0 and 1
-scalar waterDynamics::momentWeight(int i) const
-{
-    constexpr scalar surface = 0.05, ground = 0.01;
-    const scalar slope = scene_.h * mag(at(gradFill(), i)) / fill()[i];
-    const scalar head = state_.rho0() * mag(scene_.g) * scene_.h;
-    return max(scalar(0), 1 - slope / surface)
-         * max(scalar(0), 1 - max(scalar(0), groundShare(i)) / ground)
-         * min(scalar(1), water.p[i] / head);
 }
 
 //     S = sum V W + l(gam) + l(gam')                                (T 5.13)

@@ -31,17 +31,8 @@ constexpr int continuityFields(bool withStrain)
 }
 constexpr int ownVelocity = 8;
 
-//- What of the packing is asked for: nothing, (T 5.13), and (T 2.5) as well
-enum class packing
-{
-    none,
-    filling,
-    moment
-};
-
 template<class T>
-LPF_INLINE auto
-sumsOf(const Continuity<T>& total, const Filling<T>& filling, const T& moment)
+LPF_INLINE auto sumsOf(const Continuity<T>& total, const Filling<T>& filling)
 {
     const Vec<T>&curl = total.curl, &gradient = filling.gradient;
     return sums(
@@ -53,12 +44,11 @@ sumsOf(const Continuity<T>& total, const Filling<T>& filling, const T& moment)
         filling.fill,
         gradient.x,
         gradient.y,
-        gradient.z,
-        moment
+        gradient.z
     );
 }
 
-template<packing asked, bool withStrain, class Around>
+template<bool withFill, bool withStrain, class Around>
 LPF_ONE_BODY void
 continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
 {
@@ -69,11 +59,8 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
     const T rho_i = around.own(i, density), rho0(Real(0));
     const double* H = p.hydrostatic;
     const Vec<T> hydrostatic = own<Real>(H, H + 1, H + 2, 0);
-    const double* e = p.along;
-    [[maybe_unused]] const Vec<T> along = own<Real>(e, e + 1, e + 2, 0);
     Continuity<T> total = {};
     Filling<T> filling = {};
-    T moment = {};
     SymmTensor<T> strain = {};
     const T scale = own<Real>(p.scale);
     [[maybe_unused]] Vec<T> U_i = {};
@@ -87,16 +74,11 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
         [&](const T* of, const Vec<T>& x_ij, const T& rSqr)
         {
             const T VF = scale * of[volume] * around.W.gradByDistance(rSqr);
-            if constexpr (asked != packing::none)
+            if constexpr (withFill)
             {
                 addFilling(
                     filling, T(of[volume] * around.W.value(rSqr)), VF, x_ij
                 );
-            }
-            if constexpr (asked == packing::moment)
-            {
-                const T off = x_ij & along;
-                moment += -VF * off * off; // (T 2.5)
             }
             addVelocityGradient(total, VF, x_ij, v_i - vectorOf(of + velocity));
             if constexpr (withStrain)
@@ -110,11 +92,11 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
         }
     );
 
-    const auto all = sumsOf(total, filling, moment);
+    const auto all = sumsOf(total, filling);
     p.divergence[i] = all[0];
     p.diffusion[i] = all[1];
     p.curl[i] = squareRoot(magSqr(Vec<double>{all[2], all[3], all[4]}));
-    if constexpr (asked != packing::none)
+    if constexpr (withFill)
     {
         p.fill[i] = all[5];
         for (std::size_t c = 0; c < 3; ++c)
@@ -122,17 +104,13 @@ continuityOfParticle(const waterContinuityPass& p, Around& around, int i)
             p.gradFill[c][i] = all[6 + c];
         }
     }
-    if constexpr (asked == packing::moment)
-    {
-        p.moment[i] = all[9];
-    }
     if constexpr (withStrain)
     {
         store(strain, p.strain, i);
     }
 }
 
-template<packing asked, bool withStrain>
+template<bool withFill, bool withStrain>
 void continuity(const waterContinuityPass& p)
 {
     recordFields<continuityFields(withStrain)> fields = {
@@ -150,16 +128,8 @@ void continuity(const waterContinuityPass& p)
         searchOf(p),
         fields,
         [&](auto& around, int i)
-        { continuityOfParticle<asked, withStrain>(p, around, i); }
+        { continuityOfParticle<withFill, withStrain>(p, around, i); }
     );
-}
-
-template<bool withStrain>
-void continuityAsked(const waterContinuityPass& p)
-{
-    p.moment ? continuity<packing::moment, withStrain>(p)
-    : p.fill ? continuity<packing::filling, withStrain>(p)
-             : continuity<packing::none, withStrain>(p);
 }
 
 enum class friction
@@ -374,7 +344,14 @@ void force(const waterForcePass& p)
 
 void waterContinuity(const waterContinuityPass& p)
 {
-    p.strain[0] ? continuityAsked<true>(p) : continuityAsked<false>(p);
+    if (p.strain[0])
+    {
+        p.fill ? continuity<true, true>(p) : continuity<false, true>(p);
+    }
+    else
+    {
+        p.fill ? continuity<true, false>(p) : continuity<false, false>(p);
+    }
 }
 
 void waterForce(const waterForcePass& p)

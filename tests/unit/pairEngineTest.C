@@ -576,13 +576,13 @@ results wallsByElements(cloud& c)
 constexpr double rho0 = 1500;
 const Vec3 hydrostatic = {0.2, 0, -3};
 
-//- div, |curl|, diffusion, fill, grad fill, moment of the cloud taken as water
+//- div, |curl|, diffusion, fill, grad fill of the cloud taken as water
 results waterContinuityOf(const cloud& c, const pairEngine* engine)
 {
-    results all(8, c.n);
+    results all(7, c.n);
     if (engine)
     {
-        lpfPairs::waterContinuityPass p = {};
+        lpfPairs::waterContinuityPass p;
         c.fill(p);
         p.u = c.u[0].data();
         p.v = c.u[1].data();
@@ -601,9 +601,6 @@ results waterContinuityOf(const cloud& c, const pairEngine* engine)
         {
             p.gradFill[k] = all.column(4 + k);
         }
-        p.along[0] = 0.6;
-        p.along[2] = -0.8;
-        p.moment = all.column(7);
         engine->waterContinuity(p);
         return all;
     }
@@ -612,7 +609,6 @@ results waterContinuityOf(const cloud& c, const pairEngine* engine)
     {
         lpfPairs::Continuity<double> sum = {};
         lpfPairs::Filling<double> filling = {};
-        double moment = 0;
         c.overPairs(
             i,
             [&](int j, const Vec3& x_ij)
@@ -623,22 +619,20 @@ results waterContinuityOf(const cloud& c, const pairEngine* engine)
                     sum, VF, x_ij, vec(at(c.u, i) - at(c.u, j))
                 );
                 addFilling(filling, c.V[j] * W.value(rSqr), VF, x_ij);
-                moment -= VF * std::pow(0.6 * x_ij.x - 0.8 * x_ij.z, 2);
                 sum.diffusion += lpfPairs::densityDiffusion(
                     VF, x_ij, c.rho[i], c.rho[j], rho0, hydrostatic
                 );
             }
         );
-        const double values[8] = {
+        const double values[7] = {
             sum.divergence,
             std::sqrt(magSqr(sum.curl)),
             sum.diffusion,
             filling.fill,
             filling.gradient.x,
             filling.gradient.y,
-            filling.gradient.z,
-            moment};
-        for (std::size_t k = 0; k < 8; ++k)
+            filling.gradient.z};
+        for (std::size_t k = 0; k < 7; ++k)
         {
             all.column(k)[i] = values[k];
         }
@@ -1033,9 +1027,7 @@ TEST_CASE("pair engines: single precision beside double")
                 checkSingle(kinematics, kinematicsOf(c, engine), {0, 9, 15});
                 checkSingle(forces, forcesBy(*engine, c, by), {0, 3, 4});
                 checkSingle(
-                    continuity,
-                    waterContinuityOf(c, engine),
-                    {0, 1, 2, 3, 4, 7, 8}
+                    continuity, waterContinuityOf(c, engine), {0, 1, 2, 3, 4, 7}
                 );
                 checkSingle(
                     water, waterForcesBy(*engine, c, friction), {0, 3, 6, 7, 8}
