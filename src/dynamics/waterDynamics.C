@@ -321,22 +321,17 @@ scalar waterDynamics::slowRate(int i)
 
 // The image of the ground doubles what the ground does to the density. That is
 // right for what comes and goes; of what has come to stay half is taken back:
-//     de/dt = w w^2/(w^2 + (1e-5 c0/h)^2) - e/tau,
-//     w = q.sum_q A E n/theta,
+//     de/dt = w - e/tau,  w = q.sum_q A E n/theta,
 //     rho <- rho (1 + dt e/tau),  tau = N h/c0                      (T 5.24)
-// A drift so slow that pressure follows it is no arrival: it does not count
 void waterDynamics::advanceLag(scalar dt)
 {
-    constexpr scalar slow = 1e-5;
     const scalar half = 0.5 * dt * lagRate_;
-    const scalar slowest = sqr(slow * soundRate_);
     lpfPairs::forEach(
         water.size(),
         [&](int i)
         {
             const scalar w = water.toGround[i] / ownShare(i);
-            const scalar come = w * sqr(w) / (sqr(w) + slowest);
-            water.lag[i] = (water.lag[i] * (1 - half) + dt * come) / (1 + half);
+            water.lag[i] = (water.lag[i] * (1 - half) + dt * w) / (1 + half);
         }
     );
 }
@@ -413,10 +408,8 @@ void waterDynamics::correct(scalar dt, stage where)
 
 // What changes the density besides the flow is booked half before and half
 // after it, as the forces before and after see it. And Balsara's switch from
-// div and curl, not of free water that has parted,
-//     f = |div|/(|div| + |curl| + 1e-4 c0/h),
-//     f <- b f + 1 - b where rho < rho0,  b = min(1, 10 chi)        (T 5.8)
-// In pores that are not full f stays
+// div and curl, not of water that has parted,
+//     f = |div|/(|div| + |curl| + 1e-4 c0/h),  1 where rho < rho0   (T 5.8)
 void waterDynamics::advanceDensity(scalar dt)
 {
     const scalar quiet = 1e-4 * soundRate_;
@@ -431,10 +424,9 @@ void waterDynamics::advanceDensity(scalar dt)
                 const scalar flow = rho.moved / before;
                 const scalar half = before + 0.5 * (rho.end - rho.moved);
                 water.rho[i] = rho.end;
-                const scalar f = div / (div + water.curl[i] + quiet);
-                const scalar b = withGrains_ ? shareOfGrains(i) : 0;
-                water.curl[i] =
-                    rho.end < state_.rho0() ? b * f + 1 - b : f; // (T 5.8)
+                water.curl[i] = rho.end < state_.rho0()
+                                  ? 1
+                                  : div / (div + water.curl[i] + quiet);
                 return sumOf<scalar>{
                     water.mass[i]
                     * (state_.released(before, half)

@@ -42,7 +42,7 @@ class Hydrostatic(Verification):
         "within 3 %, but not converging. As the particles leave their lattice its "
         "rows do so too: at 40 layers the first moment of the kernel gradient "
         "becomes 0.992 along gravity and 0.977 across, where lambda (T 2.4) has "
-        "the 0.974 of the lattice: the pressure is 1.6 % too low. At low "
+        "the 0.974 of the lattice: the pressure is up to 1.6 % too low. At low "
         "resolution, with fewer steps, they leave it less.")}
     negatives = {
         "water of 950 kg/m3": ({"rho": 0.95 * RHO_F}, "pressure", 20)}
