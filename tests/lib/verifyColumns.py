@@ -124,7 +124,7 @@ class Round(Plane):
     findings = {"runout": (
         "less with refinement. The rim is thinner than half a spacing, where the "
         "front is taken: at a = 0.9 (16 layers) and 0.55 (14 layers) 99.9 % of the "
-        "mass are within a runout of 1.08 and 0.64, where Lube has 1.12 and 0.68.")}
+        "mass are within a runout of 1.01 and 0.61, where Lube has 1.12 and 0.68.")}
 
     def measure(self, layers, grains=None, solution=FLOWING):
         r0, dx = H / self.a, H / layers

@@ -70,6 +70,10 @@ class BedAtRest(Verification):
     bounds = {"vertical stress": 0.05, "lateral stress": 0.05}
     converges = True
     axes = ("-sigma/(rho g H)", "z/H")
+    findings = {"lateral stress": (
+        "within 5 % at all resolutions, but not falling: 2.3 % at 10 and at 40 layers. "
+        "With bulkDamping 0.3 alone, which is not the scheme of what flows, it was "
+        "3.4, 1.7 and 2.1 %, the vertical one 5.6, 2.6 and 1.6 %.")}
     negatives = {
         "nu 0.25 in place of 0.36": ({"nu": 0.25}, "lateral stress", 20)}
 
