@@ -312,17 +312,32 @@ void waterDynamics::driftOn(scalar dt, scalar time)
     phaseDynamics::driftOn(dt, time);
 }
 
+namespace
+{
+
+//- What exceeds the play of e: a bed that consolidates drifts by less, and is
+//  to have its volume to a permille
+scalar cameToStay(scalar e)
+{
+    constexpr scalar play = 0.002;
+    return e - std::clamp(e, -play, play);
+}
+
+} // namespace
+
 // Relative rate at which the density is brought back to the packing [1/s]
 scalar waterDynamics::slowRate(int i)
 {
-    const scalar atGround = keepsLag() ? water.lag[i] * lagRate_ : 0;
+    const scalar atGround =
+        keepsLag() ? lagRate_ * cameToStay(water.lag[i]) : 0;
     return atGround + (scheme_.densityRelaxation > 0 ? drawnBack(i) : 0);
 }
 
 // The image of the ground doubles what the ground does to the density. That is
 // right for what comes and goes; of what has come to stay half is taken back:
-//     de/dt = w - e/tau,  w = q.sum_q A E n/theta,
-//     rho <- rho (1 + dt e/tau),  tau = N h/c0                      (T 5.24)
+//     de/dt = w - e'/tau,  w = q.sum_q A E n/theta,
+//     e' = e less a play of 0.002,  tau = N h/c0,
+//     rho <- rho (1 + dt e'/tau)                                    (T 5.24)
 void waterDynamics::advanceLag(scalar dt)
 {
     const scalar half = 0.5 * dt * lagRate_;
@@ -331,7 +346,9 @@ void waterDynamics::advanceLag(scalar dt)
         [&](int i)
         {
             const scalar w = water.toGround[i] / ownShare(i);
-            water.lag[i] = (water.lag[i] * (1 - half) + dt * w) / (1 + half);
+            const scalar e =
+                water.lag[i] + dt * w - half * cameToStay(water.lag[i]);
+            water.lag[i] = e - half / (1 + half) * cameToStay(e);
         }
     );
 }

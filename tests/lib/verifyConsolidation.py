@@ -70,10 +70,6 @@ class Terzaghi(Verification):
         "it)")
     layers = (10, 20, 40)
     bounds = {"excess pressure": 0.05, "settlement": 0.05}
-    findings = {"settlement": (
-        "Since (T 5.24): 2.0, 1.9 and 1.0 % with groundLag 0, as before it. A drift of "
-        "the lowest water by 0.003 dx is taken for water that comes to the ground "
-        "(theory.md 9).")}
     axes = ("excess, settlement over their largest", "z/H; c_v t/H^2")
     negatives = {
         "grains of 1.2 times the diameter": (

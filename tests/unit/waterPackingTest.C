@@ -196,22 +196,26 @@ autoPtr<ground> floorOfTheBox()
 
 //- By how much the logarithm of the density of one particle has grown after it
 //  came to the ground in `coming` [s], so many steps, and stood there for
-//  `standing`
+//  `standing`; from so far
 double growth(
-    scalar groundLag, scalar coming, scalar standing, int stepsOfComing = 400
+    scalar groundLag,
+    scalar coming,
+    scalar standing,
+    int stepsOfComing = 400,
+    scalar way = 2.2 * dx
 )
 {
     waterScheme scheme = plainScheme();
     scheme.groundLag = groundLag;
     waterBox b(floorOfTheBox(), scheme);
-    b.put({vector(0.5 * period, 0.5 * period, 2.7 * dx)}, rho0);
+    b.put({vector(0.5 * period, 0.5 * period, 0.5 * dx + way)}, rho0);
     waterStore& w = b.water->water;
     const scalar dt = coming / stepsOfComing;
     const int steps = int(std::lround((coming + standing) / dt));
     for (int k = 0; k < steps; ++k)
     {
         const bool comes = k < stepsOfComing;
-        set(w.U, 0, vector(0, 0, comes ? -2.2 * dx / coming : 0));
+        set(w.U, 0, vector(0, 0, comes ? -way / coming : 0));
         b.water->rates(dt, 0);
         b.water->drift(dt, 0);
     }
@@ -236,6 +240,22 @@ TEST_CASE("water that comes to the ground: its density in the end is that of "
     INFO("image " << image << ", later " << later << ", at once " << atOnce);
     CHECK(later == Approx(0.5 * image).epsilon(0.01));
     CHECK(atOnce == Approx(image).epsilon(0.01));
+}
+
+
+TEST_CASE("water that drifts at the ground: its density stays that of a "
+          "continuum, but for what exceeds the play")
+{
+    const scalar h_c0 = h / c0;
+    const auto drifted = [&](scalar groundLag, scalar way)
+    { return growth(groundLag, 40 * h_c0, 2000 * h_c0, 400, way); };
+    const double little = drifted(0, 0.003 * dx);
+    CHECK(little > 1e-3);
+    CHECK(little < 0.004); // half of it is within the play of 0.002
+    CHECK(drifted(10, 0.003 * dx) == Approx(little).epsilon(1e-12));
+
+    const double much = drifted(0, 0.1 * dx);
+    CHECK(drifted(10, 0.1 * dx) == Approx(0.5 * much + 0.002).epsilon(1e-3));
 }
 
 
