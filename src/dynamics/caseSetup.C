@@ -245,11 +245,16 @@ string remedyOf(const bool continued, const wordList& missing)
         remedy += ", or write groundLag 0; in water of system/lpfSolution, "
                   "where the run so far had none";
     }
+    if (missing.found("traction"))
+    {
+        remedy += ", or write frictionAt grains; in grains of "
+                  "system/lpfSolution, as the run so far had it";
+    }
     return remedy;
 }
 
-//- Fields without which there is no state; from a run, also the scalars that
-//  it has made
+//- Fields without which there is no state; from a run, also those that it has
+//  made
 void checkFields(
     const cloudState& cloud,
     const fileName& dir,
@@ -280,9 +285,12 @@ void checkFields(
     {
         need(cloud.scalars, {"p", "S"});
     }
-    if (continued)
+    for (const word& name : continued ? made : wordList())
     {
-        need(cloud.scalars, made);
+        if (!cloud.scalars.found(name) && !cloud.vectors.found(name))
+        {
+            missing.append(name);
+        }
     }
     const fileName file(dir / "lagrangian" / phase);
     const string remedy(remedyOf(continued, missing));
@@ -661,7 +669,12 @@ word caseRun::readSolution()
 
 void caseRun::readGrainScheme(const dictionary& dict)
 {
-    allowOnly(dict, {"densityRelaxation", "shifting", "stressDiffusion"});
+    allowOnly(
+        dict, {"densityRelaxation", "shifting", "stressDiffusion", "frictionAt"}
+    );
+    scheme_.frictionAtGround =
+        readChoice(dict, "frictionAt", {"grains", "ground"}, "grains")
+        == "ground";
     bounds d;
     d.lower = 0;
     d.upper = 0.2;
@@ -745,6 +758,7 @@ void caseRun::readGroundLag(const dictionary& dict)
     lag.reason = "times h/c0 after which the density of water that came to the "
                  "ground follows its packing; above 1000 it hardly does; write "
                  "10, or 0 for never";
+    groundLagIsGiven_ = dict.found("groundLag");
     // particles that are shifted leave their packing behind anyway
     waterScheme_.groundLag = readNumber(
         dict,
@@ -824,10 +838,44 @@ void caseRun::makeContact()
         scene_.planeNormal
     ));
     waitForOpenings();
+    checkFrictionAtGround();
     if (contact_->penalty())
     {
         waterScheme_.groundLag = 0; // there are no images
         printPenalty();
+    }
+}
+
+// A traction that goes with the speed acts on the grains, and what a penalty
+// pushes back has friction on that impulse
+void caseRun::checkFrictionAtGround() const
+{
+    if (!scheme_.frictionAtGround)
+    {
+        return;
+    }
+    const word given("frictionAt ground; in grains of system/lpfSolution ");
+    if (contact_->penalty())
+    {
+        refuse(
+            boundary_,
+            "contact",
+            "contact = penalty: " + given
+                + "leads the velocity of grains on to the ground that mirrors "
+                  "them, and a penalty does not. Write contact signedDistance, "
+                  "or frictionAt grains"
+        );
+    }
+    if (contact_->anyResistance(&groundZone::grains))
+    {
+        refuse(
+            boundary_,
+            "zones",
+            "a zone has friction that goes with the speed or holds the grains: "
+                + given
+                + "is made for Coulomb and none. Write one of these, or "
+                  "frictionAt grains"
+        );
     }
 }
 
@@ -907,6 +955,7 @@ void caseRun::makeWater(const lpfPairs::pairEngine& engine)
     warnOfLight("water", flow_.state->rho0());
     flow_.viscosity.reset(viscosityModel::New(phase).ptr());
     chooseViscosityIntegration();
+    chooseGroundLag();
     checkStick();
     flow_.water.reset(new waterDynamics(
         engine,
@@ -917,6 +966,30 @@ void caseRun::makeWater(const lpfPairs::pairEngine& engine)
         *contact_,
         has("grains")
     ));
+}
+
+// What shear does to the pore pressure is a matter of a few per cent of the
+// pores, and (T 5.24) takes as much from water that spreads over ground that
+// was wet all along
+void caseRun::chooseGroundLag()
+{
+    if (!has("grains") || !flow_.rheology->changesPacking())
+    {
+        return;
+    }
+    if (!groundLagIsGiven_)
+    {
+        waterScheme_.groundLag = 0;
+    }
+    else if (waterScheme_.groundLag > 0)
+    {
+        WarningInFunction
+            << "groundLag " << waterScheme_.groundLag << " with dilatancy: "
+            << "what it takes of the density beside ground is as much as "
+            << "shear makes, and loose grains may be sucked together where "
+            << "they should liquefy. Leave groundLag out, which is then 0"
+            << endl;
+    }
 }
 
 // auto: implicit where the explicit step would be shorter than that of sound
@@ -1107,7 +1180,9 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << ", noise damping " << scheme_.noiseDamping << ", bulk damping "
              << scheme_.bulkDamping << ", density relaxation "
              << scheme_.densityRelaxation << ", shifting " << scheme_.shifting
-             << ", stress diffusion " << scheme_.stressDiffusion << ", CFL "
+             << ", stress diffusion " << scheme_.stressDiffusion
+             << ", friction at the "
+             << (scheme_.frictionAtGround ? "ground" : "grains") << ", CFL "
              << scheme_.CFL << nl;
     }
     if (flow_.water)
@@ -1281,7 +1356,12 @@ wordList caseRun::madeByRun(const word& phase) const
 {
     if (phase == "grains")
     {
-        return {"rho", "rhoRef", "I"};
+        wordList made({"rho", "rhoRef", "I"});
+        if (scheme_.frictionAtGround)
+        {
+            made.append("traction");
+        }
+        return made;
     }
     wordList made({"rho", "toGround"});
     if (has("grains"))

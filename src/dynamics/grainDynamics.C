@@ -50,7 +50,7 @@ grainDynamics::grainDynamics(
           scene.dimensions
       )),
       surface_(wet ? new lpfPairs::surfaceShare(scene.dimensions) : nullptr),
-      grains(wet)
+      grains(wet, scheme.frictionAtGround)
 {
     penalty_ = penaltyGround::forPhase(
         engine, scene_, contact, rheology.elastic().c()
@@ -221,6 +221,8 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
     const Tens P = tangential(near.planarity, near.n);
     const Tens own = R & full(near.Bp);
+    near.shear = P & (own & near.n);
+    near.depth = std::clamp(wall.distance, 0.0, 2 * scene_.h);
     setSymm(grains.B, i, B);
     setTensor(grains.L, i, mirrored + (P & (own - mirrored))); // (T 4.4)
 }
@@ -242,31 +244,86 @@ double grainDynamics::dampingPressure(int i) const
     return p > 0 ? std::max(q, -p) : 0;
 }
 
+namespace
+{
+
+//- Powers [W] and losses [J] of stressMoment()
+struct momentSums
+{
+    scalar damping = 0, friction = 0;
+
+    void operator+=(const momentSums& b)
+    {
+        damping += b.damping;
+        friction += b.friction;
+    }
+};
+
+} // namespace
+
 // The adjoint of gradient():
 //     A = (I - P) sigma B + P sigma B_p                              (T 3.12)
 //     f_ground = - 2 V sum_q A E (n.(I - P) sigma B.n) n             (T 4.5)
-void grainDynamics::stressMoment()
+void grainDynamics::stressMoment(scalar dt, stage where)
 {
     const passTimes::timed pass(times, "stress moment");
-    dampingPower_ = orderedSum<sumOf<double>>(
-                        grains.size(),
-                        [&](int i)
-                        {
-                            const double trL = grains.L[0][i] + grains.L[4][i]
-                                             + grains.L[8][i];
-                            const double q = dampingPressure(i);
-                            stressMomentOf(i, q);
-                            return sumOf<double>{
-                                -q * trL * grains.V[i] * scene_.planeThickness};
-                        }
-    ).value;
+    const momentSums sums = orderedSum<momentSums>(
+        grains.size(),
+        [&](int i)
+        {
+            const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
+            const double q = dampingPressure(i);
+            momentSums s;
+            s.damping = -q * trL * grains.V[i] * scene_.planeThickness;
+            forceOfGround(i, q);
+            if (scheme_.frictionAtGround)
+            {
+                s.friction = holdAtGround(i, dt, where);
+            }
+            stressMomentOf(i, q);
+            return s;
+        }
+    );
+    dampingPower_ = sums.damping;
+    ledger.friction += sums.friction;
     padZero(grains.L, grains.size());
+}
+
+namespace
+{
+
+//- Of the grains, with the pressure of the damping
+Tens stressWith(const grainStore& grains, int i, double q)
+{
+    return full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
+}
+
+} // namespace
+
+void grainDynamics::forceOfGround(int i, double q)
+{
+    if (slot_[i] < 0)
+    {
+        return;
+    }
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    nearWall& near = near_[slot];
+    near.f = near.t = {0, 0, 0};
+    near.carried = false;
+    if (near.closed)
+    {
+        const Tens P = tangential(near.planarity, near.n);
+        const Tens sigmaB =
+            stressWith(grains, i, q) & full(symmAt(grains.B, i));
+        near.f = (-2 * grains.V[i] * scene_.planeThickness)
+               * (thirdMoment(walls_[slot]) && (sigmaB - (P & sigmaB)));
+        near.carried = (near.f & near.n) > 0; // (T 4.5)
+    }
 }
 
 void grainDynamics::stressMomentOf(int i, double q)
 {
-    const Tens sigma =
-        full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
+    const Tens sigma = stressWith(grains, i, q);
     const Tens sigmaB = sigma & full(symmAt(grains.B, i));
     if (slot_[i] < 0)
     {
@@ -274,24 +331,19 @@ void grainDynamics::stressMomentOf(int i, double q)
         return;
     }
     const auto slot = static_cast<std::size_t>(slot_[i]);
-    nearWall& near = near_[slot];
-    near.f = {0, 0, 0};
-    near.carried = false;
+    const nearWall& near = near_[slot];
     if (!near.closed)
     {
         setTensor(grains.L, i, sigmaB);
         return;
     }
     const Tens P = tangential(near.planarity, near.n);
-    const Tens mirrored = sigmaB - (P & sigmaB);
-
-    near.f = (-2 * grains.V[i] * scene_.planeThickness)
-           * (thirdMoment(walls_[slot]) && mirrored); // (T 4.5)
-    near.carried = (near.f & near.n) > 0;
+    const double perVolume = near.depth / (grains.V[i] * scene_.planeThickness);
+    const Tens led = sigma + perVolume * outer(near.t, near.n); // (T 4.24)
     setTensor(
         grains.L,
         i,
-        mirrored + (P & sigma & full(near.Bp)) // (T 3.12)
+        sigmaB - (P & sigmaB) + (P & led & full(near.Bp)) // (T 3.12)
     );
 }
 
@@ -320,7 +372,7 @@ void grainDynamics::addGroundAndGravity()
                         near_[static_cast<std::size_t>(slot_[i])];
                     if (near.carried)
                     {
-                        a += toVector(near.f) / grains.mass[i];
+                        a += toVector(near.f + near.t) / grains.mass[i];
                     }
                 }
                 set(grains.a, i, a);
@@ -353,7 +405,7 @@ void grainDynamics::rates(scalar dt, scalar time, stage where)
     {
         keepFlow();
     }
-    stressMoment();
+    stressMoment(dt, where);
     forces();
 }
 
@@ -614,6 +666,7 @@ void grainDynamics::kick(scalar dt)
 template<class Friction>
 void grainDynamics::kickWith(scalar dt, const Friction& friction)
 {
+    const bool atGround = scheme_.frictionAtGround;
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)
@@ -633,12 +686,9 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 if (near.carried)
                 {
                     const scalar N = mag(f);
+                    const scalar mu = atGround ? 0 : near.friction;
                     U = friction(
-                        i,
-                        sliding,
-                        f / N,
-                        near.friction * N * dt / m,
-                        N * dt / m
+                        i, sliding, f / N, mu * N * dt / m, N * dt / m
                     );
                     s.wall = f * dt;
                     s.wallNormal = N * dt;
@@ -653,6 +703,7 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 const vector tension = near.carried ? Zero : dt * f;
                 lost(i, (s.friction - tension) / m);
+                s.friction += dt * toVector(near.t); // its loss is booked
             }
             set(grains.U, i, U);
             return s;
@@ -750,7 +801,8 @@ scalar grainDynamics::groundFriction(label zone) const
 
 scalar grainDynamics::storedEnergy(int i) const
 {
-    return rheology_.storedEnergy(pointAt(grains, i));
+    return rheology_.storedEnergy(pointAt(grains, i))
+         + (scheme_.frictionAtGround ? energyOfTraction(i) : 0);
 }
 
 std::size_t grainDynamics::bytes() const

@@ -16,6 +16,10 @@ void grainStore::resize(int n)
     {
         f->resize(n);
     }
+    if (keepsTraction_)
+    {
+        lpf::resize(traction, n);
+    }
     if (wet_)
     {
         lpf::resize(drag, n);
@@ -33,8 +37,8 @@ std::size_t grainStore::bytes() const
 {
     return particleStore::bytes() + lpf::bytes(sigma) + lpf::bytes(L)
          + lpf::bytes(B) + rho.bytes() + rhoRef.bytes() + I.bytes()
-         + lpf::bytes(drag) + lpf::bytes(gradPForce) + lpf::bytes(sigmaStart)
-         + rhoStart.bytes() + rhoRefStart.bytes();
+         + lpf::bytes(traction) + lpf::bytes(drag) + lpf::bytes(gradPForce)
+         + lpf::bytes(sigmaStart) + rhoStart.bytes() + rhoRefStart.bytes();
 }
 
 void grainStore::permute(const indexArray& order)
@@ -44,6 +48,10 @@ void grainStore::permute(const indexArray& order)
     permute(rho, order);
     permute(rhoRef, order);
     permute(I, order);
+    if (keepsTraction_)
+    {
+        permute(traction, order);
+    }
     if (wet_)
     {
         permute(drag, order);
@@ -74,6 +82,13 @@ void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
             continued ? cloud.scalars["rhoRef"][i] : alpha[i] * grainDensity;
         rho[i] = continued ? cloud.scalars["rho"][i] : rhoRef[i];
         I[i] = continued ? cloud.scalars["I"][i] : 0;
+        if (keepsTraction_)
+        {
+            set(traction,
+                i,
+                cloud.vectors.found("traction") ? cloud.vectors["traction"][i]
+                                                : vector(Zero));
+        }
     }
 }
 
@@ -104,6 +119,10 @@ cloudState grainStore::toCloud(scalar grainDensity, scalar h) const
     cloud.scalars.set("alpha", alpha);
     cloud.scalars.set("p", p);
     cloud.scalars.set("I", inertial);
+    if (keepsTraction_)
+    {
+        cloud.vectors.set("traction", toField(traction, size_));
+    }
     if (wet_)
     {
         cloud.vectors.set("drag", toField(drag, size_));

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction of the ground on the velocity that the grains have at it, and its
+// adjoint: `grains { frictionAt ground; }` of system/lpfSolution.
+#include "grainDynamics.H"
+
+#include "fieldTensors.H"
+
+namespace Foam
+{
+namespace lpf
+{
+
+using Vec3 = lpfPairs::Vec<double>;
+
+// Along the ground, led on to it over the distance d of the grain,
+//     u_0 = (I - n n)(v - d P R B_p n)                               (T 4.22)
+Vec3 grainDynamics::velocityAtGround(int i) const
+{
+    const nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
+    const Vec3 u = vecAt(grains.U, i) - near.depth * near.shear;
+    return u - (u & near.n) * near.n;
+}
+
+// Of a layer of grains one smoothing length thick
+//     k = m (c/h)^2                                                  (T 4.23)
+scalar grainDynamics::stiffnessOfGround(int i) const
+{
+    return grains.mass[i] * sqr(rheology_.elastic().c() / scene_.h);
+}
+
+scalar grainDynamics::energyOfTraction(int i) const
+{
+    return 0.5 * magSqr(at(grains.traction, i)) / stiffnessOfGround(i);
+}
+
+scalar grainDynamics::letGo(int i)
+{
+    const scalar lost = energyOfTraction(i);
+    set(grains.traction, i, vector(Zero));
+    return lost;
+}
+
+// The traction follows the slip as a spring does, as far as friction goes,
+//     t <- t - dt k u_0,  |t| <= mu (1 - r_u) N                      (T 4.23)
+// In the middle of a step the forces have that of the middle. The loss is the
+// work that the spring does not keep
+scalar grainDynamics::holdAtGround(int i, scalar dt, stage where)
+{
+    if (slot_[i] < 0)
+    {
+        return letGo(i);
+    }
+    nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
+    if (!near.carried)
+    {
+        return letGo(i);
+    }
+    const scalar most = near.friction * std::sqrt(magSqr(near.f));
+    const Vec3 u = velocityAtGround(i);
+    const Vec3 before = vecAt(grains.traction, i);
+    const auto after = [&](scalar time)
+    {
+        Vec3 t = before - (time * stiffnessOfGround(i)) * u;
+        t = t - (t & near.n) * near.n;
+        const scalar size = std::sqrt(magSqr(t));
+        return size > most ? (most / size) * t : t;
+    };
+    const scalar stored = energyOfTraction(i);
+    const Vec3 end = after(dt);
+    near.t = where == stage::middle ? after(0.5 * dt) : end;
+    set(grains.traction, i, toVector(end));
+    return -dt * (near.t & u) - (energyOfTraction(i) - stored);
+}
+
+} // namespace lpf
+} // namespace Foam
