@@ -248,7 +248,7 @@ string remedyOf(const bool continued, const wordList& missing)
     if (missing.found("traction"))
     {
         remedy += ", or write frictionAt grains; in grains of "
-                  "system/lpfSolution, as the run so far had it";
+                  "system/lpfSolution, where the run so far had that";
     }
     return remedy;
 }
@@ -260,7 +260,7 @@ void checkFields(
     const fileName& dir,
     const word& phase,
     const bool continued,
-    const wordList& made
+    const madeFields& made
 )
 {
     wordList missing;
@@ -285,12 +285,10 @@ void checkFields(
     {
         need(cloud.scalars, {"p", "S"});
     }
-    for (const word& name : continued ? made : wordList())
+    if (continued)
     {
-        if (!cloud.scalars.found(name) && !cloud.vectors.found(name))
-        {
-            missing.append(name);
-        }
+        need(cloud.scalars, made.scalars);
+        need(cloud.vectors, made.vectors);
     }
     const fileName file(dir / "lagrangian" / phase);
     const string remedy(remedyOf(continued, missing));
@@ -850,11 +848,11 @@ void caseRun::makeContact()
 // pushes back has friction on that impulse
 void caseRun::checkFrictionAtGround() const
 {
-    if (!scheme_.frictionAtGround)
+    if (!scheme_.frictionAtGround || !has("grains"))
     {
         return;
     }
-    const word given("frictionAt ground; in grains of system/lpfSolution ");
+    const string given("frictionAt ground; in grains of system/lpfSolution ");
     if (contact_->penalty())
     {
         refuse(
@@ -866,16 +864,22 @@ void caseRun::checkFrictionAtGround() const
                   "or frictionAt grains"
         );
     }
-    if (contact_->anyResistance(&groundZone::grains))
+    const wordList& zones = ground_->zones();
+    forAll (zones, k)
     {
-        refuse(
-            boundary_,
-            "zones",
-            "a zone has friction that goes with the speed or holds the grains: "
-                + given
-                + "is made for Coulomb and none. Write one of these, or "
-                  "frictionAt grains"
-        );
+        if (contact_->zone(k).grains->resists())
+        {
+            refuse(
+                boundary_.subDict("zones"),
+                zones[k],
+                "zone " + zones[k]
+                    + " has friction that goes with the speed or holds the "
+                      "grains: "
+                    + given
+                    + "is made for Coulomb and none. Write one of these, or "
+                      "frictionAt grains"
+            );
+        }
     }
 }
 
@@ -1351,17 +1355,13 @@ void caseRun::warnOfChanges(const dictionary& state) const
     }
 }
 
-// Scalars of a phase that are state and not there at the start
-wordList caseRun::madeByRun(const word& phase) const
+madeFields caseRun::madeByRun(const word& phase) const
 {
     if (phase == "grains")
     {
-        wordList made({"rho", "rhoRef", "I"});
-        if (scheme_.frictionAtGround)
-        {
-            made.append("traction");
-        }
-        return made;
+        return {
+            wordList({"rho", "rhoRef", "I"}),
+            scheme_.frictionAtGround ? wordList({"traction"}) : wordList()};
     }
     wordList made({"rho", "toGround"});
     if (has("grains"))
@@ -1372,7 +1372,28 @@ wordList caseRun::madeByRun(const word& phase) const
     {
         made.append("lag");
     }
-    return made;
+    return {made, {}};
+}
+
+// State of the run so far that this one has no use for
+void caseRun::warnOfDropped(const cloudState& cloud) const
+{
+    const auto warn = [](const char* field, const char* keep)
+    {
+        WarningInFunction
+            << "The run up to this time had a field " << field
+            << " that it goes on without: what it holds is dropped. Where that "
+            << "is not meant, write " << keep << " of system/lpfSolution"
+            << endl;
+    };
+    if (cloud.vectors.found("traction") && !scheme_.frictionAtGround)
+    {
+        warn("traction", "frictionAt ground; in grains");
+    }
+    if (cloud.scalars.found("lag") && !(waterScheme_.groundLag > 0))
+    {
+        warn("lag", "groundLag 10; in water");
+    }
 }
 
 // Rounded masses do not close, rounded positions are another flow
@@ -1419,6 +1440,7 @@ void caseRun::readState()
             checkStart(cloud, stateFile);
         }
         checkFields(cloud, dir, name, continued_, madeByRun(name));
+        warnOfDropped(cloud);
         checkSmoothing(
             cloud, dir, name, name == "grains" ? scene_.h : waterScene_.h
         );

@@ -33,9 +33,12 @@ scalar grainDynamics::energyOfTraction(int i) const
     return 0.5 * magSqr(at(grains.traction, i)) / stiffnessOfGround(i);
 }
 
-scalar grainDynamics::letGo(int i)
+// The second half of the last kick had it still
+scalar grainDynamics::letGo(int i, scalar dt, stage where)
 {
-    const scalar lost = energyOfTraction(i);
+    const vector t = at(grains.traction, i);
+    const scalar half = where == stage::whole ? 0.5 * dt : 0;
+    const scalar lost = energyOfTraction(i) - half * (t & at(grains.U, i));
     set(grains.traction, i, vector(Zero));
     return lost;
 }
@@ -43,17 +46,18 @@ scalar grainDynamics::letGo(int i)
 // The traction follows the slip as a spring does, as far as friction goes,
 //     t <- t - dt k u_0,  |t| <= mu (1 - r_u) N                      (T 4.23)
 // In the middle of a step the forces have that of the middle. The loss is the
-// work that the spring does not keep
+// work of the mean traction of the step, as the leapfrog does it, that the
+// spring does not keep
 scalar grainDynamics::holdAtGround(int i, scalar dt, stage where)
 {
     if (slot_[i] < 0)
     {
-        return letGo(i);
+        return letGo(i, dt, where);
     }
     nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
     if (!near.carried)
     {
-        return letGo(i);
+        return letGo(i, dt, where);
     }
     const scalar most = near.friction * std::sqrt(magSqr(near.f));
     const Vec3 u = velocityAtGround(i);
@@ -67,9 +71,11 @@ scalar grainDynamics::holdAtGround(int i, scalar dt, stage where)
     };
     const scalar stored = energyOfTraction(i);
     const Vec3 end = after(dt);
-    near.t = where == stage::middle ? after(0.5 * dt) : end;
+    const bool middle = where == stage::middle;
+    near.t = middle ? after(0.5 * dt) : end;
     set(grains.traction, i, toVector(end));
-    return -dt * (near.t & u) - (energyOfTraction(i) - stored);
+    const Vec3 mean = middle ? near.t : 0.5 * (before + end);
+    return -dt * (mean & u) - (energyOfTraction(i) - stored);
 }
 
 } // namespace lpf

@@ -13,7 +13,8 @@ Foam::string Foam::lpf::unitsOf(const word& field)
         {"rho", "kg/m3"},   {"rhoRef", "kg/m3"}, {"toGround", "1/s"},
         {"lag", "1"},       {"meanTheta", "1"},  {"a", "m/s2"},
         {"drag", "m/s2"},   {"S", "1"},          {"gradPForce", "m/s2"},
-        {"elevation", "m"}, {"origin", "m"},     {"TimeValue", "s"}};
+        {"elevation", "m"}, {"origin", "m"},     {"TimeValue", "s"},
+        {"traction", "N"}};
 
     const auto found = units.find(field);
     return found == units.end() ? "" : found->second;

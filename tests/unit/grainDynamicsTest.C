@@ -774,7 +774,8 @@ double powerOfTraction(const testScene& s, scalar dt, vector& all)
         kept += 0.5 * magSqr(t) / k;
         all += t;
     }
-    return -(s.dynamics->ledger.friction + kept) / dt;
+    // booked by the mean of this traction and of none before
+    return -2 * (s.dynamics->ledger.friction + kept) / dt;
 }
 
 //- A block on a floor with friction at the ground
