@@ -221,8 +221,12 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
     const Tens P = tangential(near.planarity, near.n);
     const Tens own = R & full(near.Bp);
-    near.shear = P & (own & near.n);
-    near.depth = std::clamp(wall.distance, 0.0, 2 * scene_.h);
+    if (scheme_.frictionAtGround)
+    {
+        const double d = std::clamp(wall.distance, 0.0, 2 * scene_.h);
+        atGround_[static_cast<std::size_t>(slot_[i])] = {
+            {0, 0, 0}, P & (own & near.n), d};
+    }
     setSymm(grains.B, i, B);
     setTensor(grains.L, i, mirrored + (P & (own - mirrored))); // (T 4.4)
 }
@@ -308,7 +312,7 @@ void grainDynamics::forceOfGround(int i, double q)
     }
     const auto slot = static_cast<std::size_t>(slot_[i]);
     nearWall& near = near_[slot];
-    near.f = near.t = {0, 0, 0};
+    near.f = {0, 0, 0};
     near.carried = false;
     if (near.closed)
     {
@@ -338,8 +342,7 @@ void grainDynamics::stressMomentOf(int i, double q)
         return;
     }
     const Tens P = tangential(near.planarity, near.n);
-    const double perVolume = near.depth / (grains.V[i] * scene_.planeThickness);
-    const Tens led = sigma + perVolume * outer(near.t, near.n); // (T 4.24)
+    const Tens led = sigma + ledOn(i);
     setTensor(
         grains.L,
         i,
@@ -368,11 +371,12 @@ void grainDynamics::addGroundAndGravity()
                 vector a = at(grains.a, i) + scene_.g;
                 if (slot_[i] >= 0)
                 {
-                    const nearWall& near =
-                        near_[static_cast<std::size_t>(slot_[i])];
+                    const auto slot = static_cast<std::size_t>(slot_[i]);
+                    const nearWall& near = near_[slot];
                     if (near.carried)
                     {
-                        a += toVector(near.f + near.t) / grains.mass[i];
+                        const Vec3 f = near.f + tractionAt(slot);
+                        a += toVector(f) / grains.mass[i];
                     }
                 }
                 set(grains.a, i, a);
@@ -390,6 +394,7 @@ void grainDynamics::rates(scalar dt, scalar time, stage where)
     kinematics();
     seeGround(seesPacking());
     renew(near_, walls_.size());
+    renew(atGround_, scheme_.frictionAtGround ? walls_.size() : 0);
     gradient();
     if (wet_)
     {
@@ -666,7 +671,7 @@ void grainDynamics::kick(scalar dt)
 template<class Friction>
 void grainDynamics::kickWith(scalar dt, const Friction& friction)
 {
-    const bool atGround = scheme_.frictionAtGround;
+    const bool held = scheme_.frictionAtGround;
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)
@@ -679,14 +684,14 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
 
             if (slot_[i] >= 0)
             {
-                const nearWall& near =
-                    near_[static_cast<std::size_t>(slot_[i])];
+                const auto slot = static_cast<std::size_t>(slot_[i]);
+                const nearWall& near = near_[slot];
                 const vector f = toVector(near.f);
                 const vector sliding = U;
                 if (near.carried)
                 {
                     const scalar N = mag(f);
-                    const scalar mu = atGround ? 0 : near.friction;
+                    const scalar mu = held ? 0 : near.friction;
                     U = friction(
                         i, sliding, f / N, mu * N * dt / m, N * dt / m
                     );
@@ -703,7 +708,8 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 const vector tension = near.carried ? Zero : dt * f;
                 lost(i, (s.friction - tension) / m);
-                s.friction += dt * toVector(near.t); // its loss is booked
+                s.friction +=
+                    dt * toVector(tractionAt(slot)); // its loss is booked
             }
             set(grains.U, i, U);
             return s;
@@ -808,10 +814,10 @@ scalar grainDynamics::storedEnergy(int i) const
 std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
-         + viscousPower_.bytes() + lpf::bytes(flow_) + fill_.bytes()
-         + lpf::bytes(gradFill_) + lpf::bytes(gradSigma_) + lpf::bytes(jumps_)
-         + takesPart_.bytes() + beneath_.bytes()
-         + (resistance_ ? resistance_->bytes() : 0);
+         + atGround_.capacity() * sizeof(atGround) + viscousPower_.bytes()
+         + lpf::bytes(flow_) + fill_.bytes() + lpf::bytes(gradFill_)
+         + lpf::bytes(gradSigma_) + lpf::bytes(jumps_) + takesPart_.bytes()
+         + beneath_.bytes() + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -12,13 +12,33 @@ namespace lpf
 
 using Vec3 = lpfPairs::Vec<double>;
 
+Vec3 grainDynamics::tractionAt(std::size_t slot) const
+{
+    return scheme_.frictionAtGround ? atGround_[slot].t : Vec3{0, 0, 0};
+}
+
+// The stress whose divergence leads the traction on into the grains
+lpfPairs::Tensor<double> grainDynamics::ledOn(int i) const
+{
+    if (!scheme_.frictionAtGround)
+    {
+        return {};
+    }
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    const atGround& here = atGround_[slot];
+    const double V = grains.V[i] * scene_.planeThickness;
+    return (here.depth / V) * outer(here.t, near_[slot].n); // (T 4.24)
+}
+
 // Along the ground, led on to it over the distance d of the grain,
 //     u_0 = (I - n n)(v - d P R B_p n)                               (T 4.22)
 Vec3 grainDynamics::velocityAtGround(int i) const
 {
-    const nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
-    const Vec3 u = vecAt(grains.U, i) - near.depth * near.shear;
-    return u - (u & near.n) * near.n;
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    const atGround& here = atGround_[slot];
+    const Vec3& n = near_[slot].n;
+    const Vec3 u = vecAt(grains.U, i) - here.depth * here.shear;
+    return u - (u & n) * n;
 }
 
 // Of a layer of grains one smoothing length thick
@@ -54,7 +74,10 @@ scalar grainDynamics::holdAtGround(int i, scalar dt, stage where)
     {
         return letGo(i, dt, where);
     }
-    nearWall& near = near_[static_cast<std::size_t>(slot_[i])];
+    const auto slot = static_cast<std::size_t>(slot_[i]);
+    const nearWall& near = near_[slot];
+    Vec3& acting = atGround_[slot].t;
+    acting = {0, 0, 0};
     if (!near.carried)
     {
         return letGo(i, dt, where);
@@ -72,9 +95,9 @@ scalar grainDynamics::holdAtGround(int i, scalar dt, stage where)
     const scalar stored = energyOfTraction(i);
     const Vec3 end = after(dt);
     const bool middle = where == stage::middle;
-    near.t = middle ? after(0.5 * dt) : end;
+    acting = middle ? after(0.5 * dt) : end;
     set(grains.traction, i, toVector(end));
-    const Vec3 mean = middle ? near.t : 0.5 * (before + end);
+    const Vec3 mean = middle ? acting : 0.5 * (before + end);
     return -dt * (mean & u) - (energyOfTraction(i) - stored);
 }
 
