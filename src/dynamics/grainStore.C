@@ -86,8 +86,7 @@ void grainStore::fromCloud(const cloudState& cloud, scalar grainDensity)
         {
             set(traction,
                 i,
-                cloud.vectors.found("traction") ? cloud.vectors["traction"][i]
-                                                : vector(Zero));
+                continued ? cloud.vectors["traction"][i] : vector(Zero));
         }
     }
 }
