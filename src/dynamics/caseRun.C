@@ -531,8 +531,9 @@ void caseRun::printArtificialShare() const
     {
         WarningInFunction
             << "More than 5 % of the dissipation is the scheme's, not the "
-            << "material's: lower artificialViscosity, noiseDamping or "
-            << "bulkDamping of system/lpfSolution, or take a smaller spacing"
+            << "material's: lower artificialViscosity, noiseDamping, "
+            << "bulkDamping or shearDamping of system/lpfSolution, or take a "
+               "smaller spacing"
             << endl;
     }
 }

@@ -606,6 +606,9 @@ void caseRun::readDamping(const dictionary& dict)
     beta.reason = "it damps waves of compression; above 1 the step is not "
                   "stable; write 0 to 0.5";
     scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
+    beta.reason = "it damps waves of shear; above 1 the step is not stable; "
+                  "write 0 to 0.3";
+    scheme_.shearDamping = readNumber(dict, "shearDamping", dimless, beta, 0);
 }
 
 word caseRun::readSolution()
@@ -617,6 +620,7 @@ word caseRun::readSolution()
          "artificialViscosity",
          "noiseDamping",
          "bulkDamping",
+         "shearDamping",
          "grains",
          "water",
          "instructionSet",
@@ -1182,7 +1186,8 @@ void caseRun::printSetup(const lpfPairs::pairEngine& engine) const
              << scene_.h << " m, " << scene_.dimensions << " dimensions" << nl
              << "Artificial viscosity " << scheme_.artificialViscosity
              << ", noise damping " << scheme_.noiseDamping << ", bulk damping "
-             << scheme_.bulkDamping << ", density relaxation "
+             << scheme_.bulkDamping << ", shear damping "
+             << scheme_.shearDamping << ", density relaxation "
              << scheme_.densityRelaxation << ", shifting " << scheme_.shifting
              << ", stress diffusion " << scheme_.stressDiffusion
              << ", friction at the "

@@ -236,18 +236,6 @@ double grainDynamics::pressureAt(int i) const
     return -(grains.sigma[0][i] + grains.sigma[3][i] + grains.sigma[5][i]) / 3;
 }
 
-// Damping of waves of compression, which grains do not carry far: an addition
-// to the pressure, nowhere below zero in sum                        (T 3.15)
-//     q = - beta rho c h tr L,  q >= -p where p > 0, else 0
-double grainDynamics::dampingPressure(int i) const
-{
-    const double p = pressureAt(i);
-    const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
-    const double q = -scheme_.bulkDamping * grains.rho[i]
-                   * rheology_.elastic().c() * scene_.h * trL;
-    return p > 0 ? std::max(q, -p) : 0;
-}
-
 namespace
 {
 
@@ -271,40 +259,51 @@ struct momentSums
 void grainDynamics::stressMoment(scalar dt, stage where)
 {
     const passTimes::timed pass(times, "stress moment");
+    if (scheme_.shearDamping > 0)
+    {
+        stressMomentWith(
+            dt,
+            where,
+            [&](int i) { return bulkDampingAt(i) + symmAt(shearDamping_, i); }
+        );
+    }
+    else
+    {
+        stressMomentWith(dt, where, [&](int i) { return bulkDampingAt(i); });
+    }
+    padZero(grains.L, grains.size());
+}
+
+//- damping(i): the stress that damps waves
+template<class Damping>
+void grainDynamics::stressMomentWith(
+    scalar dt, stage where, const Damping& damping
+)
+{
     const momentSums sums = orderedSum<momentSums>(
         grains.size(),
         [&](int i)
         {
-            const double trL = grains.L[0][i] + grains.L[4][i] + grains.L[8][i];
-            const double q = dampingPressure(i);
+            const Symm damped = damping(i);
+            const Symm sigma = symmAt(grains.sigma, i) + damped;
             momentSums s;
-            s.damping = -q * trL * grains.V[i] * scene_.planeThickness;
-            forceOfGround(i, q);
+            s.damping =
+                granularRheologies::inner(damped, symm(tensorAt(grains.L, i)))
+                * grains.V[i] * scene_.planeThickness;
+            forceOfGround(i, full(sigma));
             if (scheme_.frictionAtGround)
             {
                 s.friction = holdAtGround(i, dt, where);
             }
-            stressMomentOf(i, q);
+            stressMomentOf(i, full(sigma));
             return s;
         }
     );
     dampingPower_ = sums.damping;
     ledger.friction += sums.friction;
-    padZero(grains.L, grains.size());
 }
 
-namespace
-{
-
-//- Of the grains, with the pressure of the damping
-Tens stressWith(const grainStore& grains, int i, double q)
-{
-    return full(symmAt(grains.sigma, i) + Symm{-q, 0, 0, -q, 0, -q});
-}
-
-} // namespace
-
-void grainDynamics::forceOfGround(int i, double q)
+void grainDynamics::forceOfGround(int i, const Tens& sigma)
 {
     if (slot_[i] < 0)
     {
@@ -317,17 +316,15 @@ void grainDynamics::forceOfGround(int i, double q)
     if (near.closed)
     {
         const Tens P = tangential(near.planarity, near.n);
-        const Tens sigmaB =
-            stressWith(grains, i, q) & full(symmAt(grains.B, i));
+        const Tens sigmaB = sigma & full(symmAt(grains.B, i));
         near.f = (-2 * grains.V[i] * scene_.planeThickness)
                * (thirdMoment(walls_[slot]) && (sigmaB - (P & sigmaB)));
         near.carried = (near.f & near.n) > 0; // (T 4.5)
     }
 }
 
-void grainDynamics::stressMomentOf(int i, double q)
+void grainDynamics::stressMomentOf(int i, const Tens& sigma)
 {
-    const Tens sigma = stressWith(grains, i, q);
     const Tens sigmaB = sigma & full(symmAt(grains.B, i));
     if (slot_[i] < 0)
     {
@@ -440,11 +437,17 @@ void grainDynamics::advanceStress(scalar dt, stage where)
     if (where == stage::start)
     {
         keepDensityRate();
-    }
-    if (where != stage::middle)
-    {
+        dampShearAtOnce();
         smoothState(dt);
         stress(dt);
+        return;
+    }
+    if (where == stage::whole)
+    {
+        smoothState(dt);
+        keepTurnedShear(grains.sigma, dt);
+        stress(dt);
+        dampShear(grains.sigma, grains.rho, dt);
         return;
     }
     std::swap(grains.rho, grains.rhoStart);
@@ -466,10 +469,12 @@ void grainDynamics::advanceStress(scalar dt, stage where)
             }
         );
     }
+    keepTurnedShear(grains.sigmaStart, 0.5 * dt);
     rheology_.correct(
         arraysOf(grains.sigmaStart, grains.rhoStart, grains.rhoRefStart),
         0.5 * dt
     );
+    dampShear(grains.sigmaStart, grains.rhoStart, 0.5 * dt);
     turnStrainRate(0.5 * dt);
     stress(dt);
     turnStrainRate(-0.5 * dt);
@@ -815,9 +820,10 @@ std::size_t grainDynamics::bytes() const
 {
     return phaseDynamics::bytes() + near_.capacity() * sizeof(nearWall)
          + atGround_.capacity() * sizeof(atGround) + viscousPower_.bytes()
-         + lpf::bytes(flow_) + fill_.bytes() + lpf::bytes(gradFill_)
-         + lpf::bytes(gradSigma_) + lpf::bytes(jumps_) + takesPart_.bytes()
-         + beneath_.bytes() + (resistance_ ? resistance_->bytes() : 0);
+         + lpf::bytes(flow_) + lpf::bytes(shearDamping_) + fill_.bytes()
+         + lpf::bytes(gradFill_) + lpf::bytes(gradSigma_) + lpf::bytes(jumps_)
+         + takesPart_.bytes() + beneath_.bytes()
+         + (resistance_ ? resistance_->bytes() : 0);
 }
 
 } // namespace lpf

@@ -181,10 +181,11 @@ void groundContact::takeElements(const surfaceElements& all)
     {
         f->resize(size_);
     }
-    if (anyStick())
+    for (realArray* area : areasOfLaws())
     {
-        stickArea_.resize(size_);
+        area->resize(size_);
     }
+    const bool sticks = anyStick(), viscous = anyForViscosity();
     forAll (all.x, q)
     {
         const scalar A = mag(all.nA[q]);
@@ -197,13 +198,31 @@ void groundContact::takeElements(const surfaceElements& all)
         set(n_, q, all.nA[q] / A);
         area_[q] = A / width;
         mu_[q] = effectiveFriction(all.zone[q]);
-        if (anyStick())
+        const groundLaw& law = *zone(all.zone[q]).water;
+        if (sticks)
         {
-            const auto zone = static_cast<std::size_t>(all.zone[q]);
-            stickArea_[q] = zones_[zone].water->sticks() ? area_[q] : 0;
+            stickArea_[q] = law.sticks() ? area_[q] : 0;
+        }
+        if (viscous)
+        {
+            viscousArea_[q] = law.standsForViscosity() ? area_[q] : 0;
         }
     }
     takeScreens(ground_.screens(all, elementSpacing_, reach_));
+}
+
+std::vector<realArray*> groundContact::areasOfLaws()
+{
+    std::vector<realArray*> areas;
+    if (anyStick())
+    {
+        areas.push_back(&stickArea_);
+    }
+    if (anyForViscosity())
+    {
+        areas.push_back(&viscousArea_);
+    }
+    return areas;
 }
 
 void groundContact::takeScreens(const UList<elementScreen>& screens)
@@ -240,9 +259,9 @@ void groundContact::sort(const cellLattice& lattice)
     sorted.resize(size_);
     std::vector<realArray*> all = {
         &x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_};
-    if (anyStick())
+    for (realArray* area : areasOfLaws())
     {
-        all.push_back(&stickArea_);
+        all.push_back(area);
     }
     if (nScreens_)
     {
@@ -264,8 +283,8 @@ void groundContact::sort(const cellLattice& lattice)
 
 std::size_t groundContact::bytes() const
 {
-    return 8 * area_.bytes() + stickArea_.bytes() + 4 * screenHeight_.bytes()
-         + cells_.start.size() * sizeof(int);
+    return 8 * area_.bytes() + stickArea_.bytes() + viscousArea_.bytes()
+         + 4 * screenHeight_.bytes() + cells_.start.size() * sizeof(int);
 }
 
 // A cyclic direction has no images of the ground: it extends beyond
@@ -306,6 +325,12 @@ void groundContact::present(lpfPairs::stickPass& pass) const
 {
     presentElements(pass);
     pass.area = stickArea_.data();
+}
+
+void groundContact::presentForViscosity(lpfPairs::stickPass& pass) const
+{
+    presentElements(pass);
+    pass.area = viscousArea_.data();
 }
 
 void groundContact::present(lpfPairs::penaltyPass& pass) const

@@ -50,6 +50,7 @@ waterViscosity::waterViscosity(
 )
     : engine_(engine), scene_(scene), contact_(contact), water_(water),
       sticks_(contact.anyStick()),
+      standsForViscosity_(contact.anyForViscosity()),
       weight_(
           (scene.dimensions + 2)
           * lpfPairs::viscousWeight(
@@ -72,15 +73,30 @@ void waterViscosity::seeGround(
     cells_ = cells;
     pairs_ = pairs;
     slot_ = &slot;
-    if (!sticks_)
+    if (sticks_)
     {
-        return;
+        lpfPairs::stickPass p = stickPass(elements, nSlots, stick_);
+        contact_.present(p);
+        engine_.stick(p);
     }
-    stick_.resize(static_cast<std::size_t>(nSlots));
+    if (standsForViscosity_)
+    {
+        lpfPairs::stickPass p = stickPass(elements, nSlots, law_);
+        contact_.presentForViscosity(p);
+        engine_.stick(p);
+    }
+}
+
+lpfPairs::stickPass waterViscosity::stickPass(
+    const lpfPairs::neighbourTable* elements,
+    int nSlots,
+    std::vector<lpfPairs::stickRecord>& sums
+) const
+{
+    sums.resize(static_cast<std::size_t>(nSlots));
     lpfPairs::stickPass p = {};
     p.pairs = elements;
-    p.cells = cells;
-    contact_.present(p);
+    p.cells = cells_;
     p.h = scene_.h;
     p.dimensions = scene_.dimensions;
     p.layerDepth = scene_.spacing;
@@ -89,9 +105,9 @@ void waterViscosity::seeGround(
     p.x = water_.x[0].data();
     p.y = water_.x[1].data();
     p.z = water_.x[2].data();
-    p.slot = slot.data();
-    p.sums = stick_.data();
-    engine_.stick(p);
+    p.slot = slot_->data();
+    p.sums = sums.data();
+    return p;
 }
 
 vector waterViscosity::groundGradient(int i) const
@@ -103,6 +119,22 @@ vector waterViscosity::groundGradient(int i) const
     }
     const double* g = stick_[static_cast<std::size_t>(slot)].gradient;
     return vector(g[0], g[1], g[2]);
+}
+
+//- What the ground does of Q, by itself or by a law that stands for it
+scalar waterViscosity::shearMomentOfGround(int i, const Symm& D) const
+{
+    const int slot = (*slot_)[i];
+    scalar Q = 0;
+    for (const auto* ground : {&stick_, &law_})
+    {
+        if (slot >= 0 && !ground->empty())
+        {
+            const auto& sums = (*ground)[static_cast<std::size_t>(slot)];
+            Q += lpfPairs::shearMoment(sums.moment, D);
+        }
+    }
+    return Q;
 }
 
 // The pairs and the ground take of the shear at i
@@ -132,14 +164,9 @@ void waterViscosity::adapt(const realArrays<6>& D, realArray& eta)
         [&](int i)
         {
             const Symm shear = symmAt(D, i);
-            const int slot = (*slot_)[i];
-            scalar Q = moment_[i];
-            if (sticks_ && slot >= 0)
-            {
-                const auto& ground = stick_[static_cast<std::size_t>(slot)];
-                Q += lpfPairs::shearMoment(ground.moment, shear);
-            }
-            const scalar wanted = sqr(rateOfShear(shear)), made = weight_ * Q;
+            const scalar wanted = sqr(rateOfShear(shear));
+            const scalar made =
+                weight_ * (moment_[i] + shearMomentOfGround(i, shear));
             const bool known = wanted > VSMALL && made > VSMALL;
             eta[i] *= known
                         ? std::clamp(wanted / made, 1 / mostWeight, mostWeight)

@@ -10,6 +10,7 @@
 #include "sampleGround.H"
 #include "sampleScene.H"
 #include "timeIntegration.H"
+#include "wendlandC2.H"
 
 using namespace Foam;
 using namespace Foam::lpf;
@@ -214,6 +215,7 @@ std::unique_ptr<waveBox> waves(const std::string& name, phasesOf which)
     {
         schemeProperties scheme;
         scheme.bulkDamping = 0.2;
+        scheme.shearDamping = 0.2;
         scheme.noiseDamping = 0.2;
         b->addGrains(which == phasesOf::both, scheme);
         b->setWave(b->all.grains->grains, speed);
@@ -306,6 +308,95 @@ TEST_CASE("time integration: an elastic wave keeps its energy")
         CHECK(ledger.plastic == 0);
         CHECK(mag(now.momentum - ledger.initial.momentum) < 1e-10);
     }
+}
+
+
+namespace
+{
+
+//- The wave number that a corrected gradient sees along an axis of the lattice
+double wavenumberSeen()
+{
+    const lpfPairs::wendlandC2 W(h, 3);
+    double wave = 0, moment = 0;
+    for (int x = -3; x <= 3; ++x)
+    {
+        for (int y = -3; y <= 3; ++y)
+        {
+            for (int z = -3; z <= 3; ++z)
+            {
+                const double rSqr = dx * dx * (x * x + y * y + z * z);
+                if (rSqr > 0 && rSqr < 4 * h * h)
+                {
+                    const double F = W.gradByDistance(rSqr);
+                    wave += F * z * dx * std::sin(k * z * dx);
+                    moment += F * z * dx * z * dx;
+                }
+            }
+        }
+    }
+    return wave / moment;
+}
+
+} // namespace
+
+
+TEST_CASE("time integration: shear damping is a viscosity of elastic waves")
+{
+    // Kelvin and Voigt: energy ~ exp(-nu k^2 t), nu = beta c h, besides what
+    // oscillates with it
+    constexpr double beta = 0.1;
+    for (const std::string name : {"leapfrog", "predictorCorrector"})
+    {
+        schemeProperties scheme;
+        scheme.shearDamping = beta;
+        waveBox b(name);
+        b.addGrains(false, scheme, 0.01);
+        grainStore& g = b.all.grains->grains;
+        for (int i = 0; i < g.size(); ++i)
+        {
+            set(g.U, i, vector(0.1 * std::sin(k * g.x[2][i]), 0, 0));
+        }
+        const energyState start = b.all.energy();
+        const elasticity& elastic = b.all.rheology->elastic();
+        const double rate = beta * elastic.c() * h * sqr(wavenumberSeen());
+        // whole periods, after which only the decay is left
+        const double shearSpeed = std::sqrt(elastic.G() / g.rho[0]);
+        const double duration = 2 * 2 * M_PI / (shearSpeed * wavenumberSeen());
+        const int steps = int(duration * elastic.c() / (0.1 * h));
+        b.run(duration, steps);
+        const energyState now = b.all.energy();
+        const double left = now.kinetic / start.kinetic;
+        const double expected = std::exp(-rate * duration);
+        const balance& ledger = b.all.grains->ledger;
+        INFO(name << ": " << left << " left, " << expected << " expected");
+        CHECK(expected < 0.6);
+        CHECK(mag(left / expected - 1) < 0.05);
+        CHECK(mag(ledger.artificial / start.kinetic - (1 - left)) < 0.05);
+        CHECK(ledger.plastic == 0);
+        CHECK(mag(now.momentum - ledger.initial.momentum) < 1e-10);
+    }
+}
+
+
+TEST_CASE("time integration: shear damping leaves a steady flow alone")
+{
+    // what yields keeps its stress, so that only turning is left of its rate
+    schemeProperties scheme;
+    scheme.shearDamping = 0.3;
+    waveBox b("leapfrog");
+    b.addGrains(false, scheme, 0.01);
+    grainStore& g = b.all.grains->grains;
+    for (int i = 0; i < g.size(); ++i)
+    {
+        set(g.U, i, vector(60 * std::sin(k * g.x[2][i]), 0, 0));
+    }
+    const double dt = 0.1 * h / b.all.rheology->elastic().c();
+    b.run(40 * dt, 40);
+    const balance& ledger = b.all.grains->ledger;
+    INFO("artificial " << ledger.artificial << " of " << ledger.plastic);
+    CHECK(ledger.plastic > 0);
+    CHECK(ledger.artificial < 0.05 * ledger.plastic);
 }
 
 

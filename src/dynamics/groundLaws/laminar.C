@@ -58,6 +58,8 @@ public:
 
     bool resists() const override { return true; }
 
+    bool standsForViscosity() const override { return !depthAveraged_; }
+
     groundTraction at(const groundPlace& place) const override
     {
         const scalar nu = mu_ / place.rho;
