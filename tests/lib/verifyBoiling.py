@@ -26,7 +26,7 @@ class Boiling(Verification):
         "0.1 to 0.3 s, is i_c" % (
             XI * (RHO_P / RHO_F - 1),
             *(head / WAY / (XI * (RHO_P / RHO_F - 1)) for head in (0.27, 0.39))))
-    of, layers = "rows in a leg", (4, 6, 8)
+    of, layers = "rows in a leg", (6, 8, 12)
     bounds = {"gradient": 0.05, "rise": 0.05}
     findings = {
         "gradient": (
