@@ -458,7 +458,8 @@ void waterViscosity::relax(scalar dt)
 
 std::size_t waterViscosity::bytes() const
 {
-    return lpf::bytes(force_) + moment_.bytes() + lpf::bytes(residual_)
+    return (stick_.capacity() + law_.capacity()) * sizeof(lpfPairs::stickRecord)
+         + lpf::bytes(force_) + moment_.bytes() + lpf::bytes(residual_)
          + lpf::bytes(direction_) + lpf::bytes(kicked_)
          + stick_.capacity() * sizeof(lpfPairs::stickRecord);
 }
