@@ -269,45 +269,34 @@ class Liquid(Cap):
 class Mangeney(Verification):
     reference = (
         "Mangeney 2000: h/h0 = (2 - (x/t - m0 t/2)/c0)^2/9, c0^2 = k g cos th h0, "
-        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = %g sqrt(h0/g), k %s")
+        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = 3 sqrt(h0/g), k %s")
     bounds = {"depth": 0.05}
     axes = ("x/h0", "h/h0")
     mu, h0, k, grains = 0.0, 0.2, 1.0, FREE
-    after, noted = 3, ()  # times over sqrt(h0/g): of the row, and besides
 
     def measure(self, layers, mu=None):
         h0, th = self.h0, math.radians(25)
-        unit, c0 = math.sqrt(h0 / G), math.sqrt(self.k * G * math.cos(th) * h0)
-        t = self.after * unit
+        t, c0 = 3 * math.sqrt(h0 / G), math.sqrt(self.k * G * math.cos(th) * h0)
         m0 = G * (math.sin(th) - self.mu * math.cos(th))
         scene = Scene(
             dx=h0 / layers, degrees=25, grains=self.grains, maxSpeed=2 * c0 + m0 * t,
-            end=t, writes=self.after, log=200,
+            end=t, log=200,
             zones="floor { friction Coulomb; mu %g; }" % (
                 self.mu if mu is None else mu))
         # the rear moves with the slab: its own collapse stays behind
-        rear, ahead = -2 * c0 * t - h0, 2 * c0 * t + 0.5 * m0 * t * t + 2 * h0
-        scene.ground = scene.floor(rear - 3 * h0, ahead)
+        scene.ground = scene.floor(-9 * h0, 18 * h0)
         scene.release = scene.box(
-            "dam", -round(-rear / h0, 1) * h0, 0, 0, h0,
-            "grains { solidFraction 0.6; }")
+            "dam", -6.2 * h0, 0, 0, h0, "grains { solidFraction 0.6; }")
         case = scene.run("%s%d" % (self.name, layers))
-
-        def depth_at(t, number):
-            way = 0.5 * m0 * t * t
-            return depths(
-                case, scene, bins(way - 0.8 * c0 * t, way + c0 * t, 36), h0, h0,
-                lambda x: ritter(x, t, c0, m0), number)
-
-        found = depth_at(t, self.after)
-        found.notes["depth"] = ", ".join("%.3g %% at %d" % (
-            100 * depth_at(n * unit, n).errors["depth"], n) for n in self.noted)
-        return found
+        xs = bins(
+            -0.8 * c0 * t + 0.5 * m0 * t * t, c0 * t + 0.5 * m0 * t * t, 36)
+        return depths(
+            case, scene, xs, h0, h0, lambda x: ritter(x, t, c0, m0))
 
 
 class Smooth(Mangeney):
     name = "mangeney.smooth"
-    reference = Mangeney.reference % (0, 3, 1)
+    reference = Mangeney.reference % (0, 1)
     negatives = {"basal friction of 0.3": ({"mu": 0.3}, "depth", 20)}
 
 
@@ -315,7 +304,7 @@ class Rough(Mangeney):
     name = "mangeney.coulomb"
     # it does not come nearer with more
     mu, layers = 0.2, (5, 10, 20)
-    reference = Mangeney.reference % (0.2, 3, 1)
+    reference = Mangeney.reference % (0.2, 1)
     findings = {"depth": SLIDES_OVER_BASE}
 
 
@@ -323,14 +312,14 @@ class RoughPlug(Mangeney):
     name = "mangeney.plug"
     mu, k, grains = 0.3, active(35, math.degrees(math.atan(0.3))), Plug.grains
     reference = Mangeney.reference % (
-        0.3, 8, "%.3f, active, internal friction of 35 degrees; noted is the error "
-        "at 3 and 5 sqrt(h0/g)" % k)
-    after, noted = 8, (3, 5)
+        0.3, "%.3f, active, internal friction of 35 degrees" % k)
     findings = {"depth": (
-        "falls with time, as in Ritter and Stoker: the reference has no "
-        "acceleration across the layer, an earth pressure that is active at once, "
-        "and no shear over the depth, where at 3 sqrt(h0/g) the speed here rises "
-        "from 0.41 m/s at the ground to 0.59 m/s.")}
+        "the rarefaction is late by up to 0.10 h0 at 40 layers, no less than at 20 "
+        "(0.06 h0 in Ritter): the reference has no acceleration across the layer, "
+        "an earth pressure that is active at once, and no shear over the depth, "
+        "where the speed here rises from 0.41 m/s at the ground to 0.59 m/s. Later, in "
+        "a longer dam: 9.1, 7.4, 4.9 % at 3, 5, 8 sqrt(h0/g) and 10 layers, 6.2, 6.1, "
+        "4.3 % at 20, 5.9, 6.7, 4.7 % at 40: no steady fall.")}
     negatives = {"no basal friction": ({"mu": 0}, "depth", 20)}
 
 
