@@ -585,6 +585,25 @@ void caseRun::waitForOpenings()
     }
 }
 
+namespace
+{
+
+//- Of grains, unless a case asks for another: the scheme of the verification
+schemeProperties standardScheme()
+{
+    schemeProperties scheme;
+    scheme.bulkDamping = 0.1;
+    scheme.shearDamping = 0.1;
+    scheme.densityRelaxation = 0.1;
+    scheme.shifting = 1;
+    scheme.stressDiffusion = 0.02;
+    return scheme;
+}
+
+const schemeProperties standard = standardScheme();
+
+} // namespace
+
 void caseRun::readDamping(const dictionary& dict)
 {
     bounds alpha;
@@ -605,10 +624,12 @@ void caseRun::readDamping(const dictionary& dict)
     beta.upper = 1;
     beta.reason = "it damps waves of compression; above 1 the step is not "
                   "stable; write 0 to 0.5";
-    scheme_.bulkDamping = readNumber(dict, "bulkDamping", dimless, beta, 0);
+    scheme_.bulkDamping =
+        readNumber(dict, "bulkDamping", dimless, beta, standard.bulkDamping);
     beta.reason = "it damps waves of shear; above 1 the step is not stable; "
                   "write 0 to 0.3";
-    scheme_.shearDamping = readNumber(dict, "shearDamping", dimless, beta, 0);
+    scheme_.shearDamping =
+        readNumber(dict, "shearDamping", dimless, beta, standard.shearDamping);
 }
 
 word caseRun::readSolution()
@@ -636,8 +657,8 @@ word caseRun::readSolution()
     CFL.lowerOpen = true;
     CFL.upper = 1;
     CFL.reason = "above 1 a wave passes a smoothing length in one step and "
-                 "the run blows up; write 0.3";
-    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, scheme_.CFL);
+                 "the run blows up; write 0.45";
+    scheme_.CFL = readNumber(dict, "CFL", dimless, CFL, standard.CFL);
 
     readDamping(dict);
     logInterval_ =
@@ -648,10 +669,8 @@ word caseRun::readSolution()
         == "single";
 
     warnOfAbsent(dict);
-    if (const dictionary* grains = optionalDictionary(dict, "grains"))
-    {
-        readGrainScheme(*grains);
-    }
+    const dictionary* grains = optionalDictionary(dict, "grains");
+    readGrainScheme(grains ? *grains : dictionary::null);
     if (const dictionary* water = optionalDictionary(dict, "water"))
     {
         readWaterScheme(*water);
@@ -674,26 +693,28 @@ void caseRun::readGrainScheme(const dictionary& dict)
     allowOnly(
         dict, {"densityRelaxation", "shifting", "stressDiffusion", "frictionAt"}
     );
-    scheme_.frictionAtGround =
-        readChoice(dict, "frictionAt", {"grains", "ground"}, "grains")
-        == "ground";
+    frictionAt_ =
+        readChoice(dict, "frictionAt", {"auto", "grains", "ground"}, "auto");
     bounds d;
     d.lower = 0;
     d.upper = 0.2;
     d.reason = "it smooths the stress of neighbours beyond a linear one; above "
                "0.2 a step of a large CFL overshoots; write 0 to 0.1";
     scheme_.stressDiffusion =
-        readNumber(dict, "stressDiffusion", dimless, d, 0);
+        readNumber(dict, "stressDiffusion", dimless, d, standard.stressDiffusion);
     bounds k;
     k.lower = 0;
     k.upper = 1;
     k.reason = "it draws the density to what the packing of the particles "
                "says where they shear; above 1 it makes noise; write 0 or 1";
     scheme_.densityRelaxation =
-        readNumber(dict, "densityRelaxation", dimless, k, 0);
+        readNumber(
+            dict, "densityRelaxation", dimless, k, standard.densityRelaxation
+        );
     k.reason = "it moves particles apart where they are crowded and shear; "
                "above 1 a step takes them too far; write 0 or 1";
-    scheme_.shifting = readNumber(dict, "shifting", dimless, k, 0);
+    scheme_.shifting =
+        readNumber(dict, "shifting", dimless, k, standard.shifting);
 }
 
 void caseRun::readWaterScheme(const dictionary& dict)
@@ -840,7 +861,7 @@ void caseRun::makeContact()
         scene_.planeNormal
     ));
     waitForOpenings();
-    checkFrictionAtGround();
+    chooseFrictionAt();
     if (contact_->penalty())
     {
         waterScheme_.groundLag = 0; // there are no images
@@ -848,11 +869,24 @@ void caseRun::makeContact()
     }
 }
 
+// Where friction can act at the ground it does, unless asked for
+void caseRun::chooseFrictionAt()
+{
+    if (frictionAt_ == "ground")
+    {
+        checkFrictionAtGround();
+    }
+    scheme_.frictionAtGround =
+        frictionAt_ == "ground"
+        || (frictionAt_ == "auto" && !contact_->penalty()
+            && !contact_->anyResistance(&groundZone::grains));
+}
+
 // A traction that goes with the speed acts on the grains, and what a penalty
 // pushes back has friction on that impulse
 void caseRun::checkFrictionAtGround() const
 {
-    if (!scheme_.frictionAtGround || !has("grains"))
+    if (!has("grains"))
     {
         return;
     }

@@ -759,6 +759,14 @@ timeStepLimit grainDynamics::stableDeltaT() const
     {
         limit.take({0.2 / rates_.maxStrainRate, "strain"});
     }
+    // explicit, as viscosity
+    const scalar damping =
+        scheme_.noiseDamping + scheme_.bulkDamping + 2 * scheme_.shearDamping;
+    if (damping > 0)
+    {
+        const scalar perWave = scene_.h / rheology_.elastic().c();
+        limit.take({0.6 * perWave / damping, "damping"}); // (T 7.6)
+    }
     return limit;
 }
 

@@ -15,7 +15,7 @@ from lpfCase import Case  # noqa: E402
 
 H_OVER_DX = 1.3
 G = 9.81
-CFL = 0.3
+CFL = 0.45
 # Column of 1 x 0.5 x 1 m at the end of a tank of 3 x 0.5 x 1.5 m
 COLUMN = (1.0, 0.5, 1.0)
 TANK = "ground { tank { type box; min (0 0 0); max (3 0.5 1.5); " \

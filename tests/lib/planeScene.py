@@ -12,10 +12,6 @@ from lpfCase import Case, averaged, mean, rms  # noqa: F401
 
 G = 9.81
 RHO_P, RHO_F = 2600.0, 1000.0
-# the same for columns, chutes, what stops on them, and dry beds
-FLOWING = ("bulkDamping 0.1; shearDamping 0.1; "
-           "grains { densityRelaxation 1; shifting 1; stressDiffusion 0.02; "
-           "frictionAt ground; }")
 
 
 def polygon(name, zone, points):

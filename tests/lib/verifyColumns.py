@@ -10,7 +10,7 @@ differ, the reference is the band between them.
 """
 import math
 
-from planeScene import FLOWING, G, Scene, front, polygon, thickness
+from planeScene import G, Scene, front, polygon, thickness
 from verify import Measured, Verification
 
 H = 0.1
@@ -42,7 +42,7 @@ class Plane(Verification):
     a, runout, height, unit_time = 1.0, (1.2, 1.2), (1.0, 1.0), 3.3
     bounds = {"runout": 0.15, "height": 0.10, "time": 0.25}
 
-    def measure(self, layers, grains=None, solution=FLOWING):
+    def measure(self, layers, grains=None, solution=""):
         d0, dx = H / self.a, H / layers
         scene = Scene(
             dx=dx, grains={**SAND, **(grains or {})},
@@ -131,7 +131,7 @@ class Round(Plane):
         "less with refinement: the rim is thinner than half a spacing, where the "
         "front is taken.")}
 
-    def measure(self, layers, grains=None, solution=FLOWING):
+    def measure(self, layers, grains=None, solution=""):
         r0, dx = H / self.a, H / layers
         reach = r0 * (1 + 1.6 * self.runout[1]) + 4 * dx
         scene = Scene(

@@ -4,7 +4,7 @@ The ground is rough because it holds the lowest layer: Coulomb friction of 2,
 which is above the internal friction."""
 import math
 
-from planeScene import FLOWING, G, Scene, mean, rms
+from planeScene import G, Scene, mean, rms
 from verify import Measured, Verification
 
 H, D, XI = 0.4, 0.02, 0.6
@@ -27,7 +27,7 @@ def chute(layers, degrees, speed, grains=None, period=12):
     dx = H / layers
     L = period * dx
     scene = Scene(
-        dx=dx, degrees=degrees, diameter=D, log=500, solution=FLOWING,
+        dx=dx, degrees=degrees, diameter=D, log=500,
         cyclic="x (0 %.17g);" % L,
         # E auto knows the height of one release, here of a layer
         maxSpeed=max(speed(H), 2 * math.sqrt(G * H)),

@@ -58,12 +58,12 @@ class TimeStep(Verification):
     quarter; with notes on what they give"""
 
     name = "timeStep"
-    reference = "Lube 2005, a = 1: runout 1.2, 20 layers; Ritter, 10 layers; CFL 0.3, 0.15, 0.075"
+    reference = "Lube 2005, a = 1: runout 1.2, 20 layers; Ritter, 10 layers; CFL 0.45, 0.225, 0.1125"
     of, layers, judged = "steps in one", (1, 2, 4), 1
     bounds = {"runout": 0.15, "depth": 0.05}
 
     def measure(self, parts):
-        cfl = "CFL %g;" % (0.3 / parts)
+        cfl = "CFL %g;" % (0.45 / parts)
         column = PLANE[1]().measure(20, solution=cfl)
         dam = Ritter().measure(10, solution=cfl)
         return Measured(

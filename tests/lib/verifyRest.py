@@ -2,7 +2,7 @@
 """Beds and pools at rest between frictionless walls, in plane strain."""
 import math
 
-from planeScene import FLOWING, G, RHO_F, RHO_P, Scene, averaged, rms
+from planeScene import G, RHO_F, RHO_P, Scene, averaged, rms
 from verify import Measured, Verification
 
 H, XI = 0.2, 0.5
@@ -82,8 +82,7 @@ class BedAtRest(Verification):
     def measure(self, layers, nu=0.36):
         scene = tank(layers, "grains", "grains { solidFraction %g; }" % XI,
                      grains={"nu": nu, "initialStress": "zero", "muS": 0.7,
-                             "mu2": 0.7},
-                     solution=FLOWING)
+                             "mu2": 0.7})
         scene.end, scene.writes = 60 * math.sqrt(H / G), 40
         case = scene.run("%s%d" % (self.name, layers))
         times = late(case)
