@@ -735,10 +735,7 @@ void grainDynamics::takeDrag(realArrays<3>& dU, scalar sign, scalar dt)
     takeDragWith(dU, sign, dt, [](int) { return vector(Zero); });
 }
 
-namespace
-{
-
-grainPoint pointAt(const grainStore& grains, int i)
+grainPoint grainDynamics::pointAt(int i) const
 {
     return {
         tensorAt(grains.L, i),
@@ -748,8 +745,6 @@ grainPoint pointAt(const grainStore& grains, int i)
         grains.mass[i],
         grains.I[i]};
 }
-
-} // namespace
 
 timeStepLimit grainDynamics::stableDeltaT() const
 {
@@ -820,7 +815,7 @@ scalar grainDynamics::groundFriction(label zone) const
 
 scalar grainDynamics::storedEnergy(int i) const
 {
-    return rheology_.storedEnergy(pointAt(grains, i))
+    return rheology_.storedEnergy(pointAt(i))
          + (scheme_.frictionAtGround ? energyOfTraction(i) : 0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooths what a linear stress leaves of the differences of neighbours. A
-// stress that is linear in x stays as it is, on any slope and at any edge.
+// Smooths what a linear stress leaves of the differences of neighbours that
+// flow. A stress that is linear in x stays as it is, on any slope and at any edge.
 #include "grainDynamics.H"
 
 #include "fieldTensors.H"
@@ -45,10 +45,11 @@ void grainDynamics::gatherGradient()
     engine_.stressGradient(p);
 }
 
-// Grains that are separated carry none: what they took would be made of nothing
-bool grainDynamics::carriesStress(int i) const
+// Grains that are separated carry none: what they took would be made of nothing.
+// What stands is in balance by a stress that is not smooth, and would creep
+bool grainDynamics::smooths(int i) const
 {
-    return mag(pressureAt(i)) > 0;
+    return mag(pressureAt(i)) > 0 && rheology_.yields(pointAt(i));
 }
 
 //     G = Q M^-1 of each component                                   (T 3.40)
@@ -57,7 +58,7 @@ void grainDynamics::takeGradient(int i)
     Symm inverse;
     const Symm M = symmAt(jumps_, i) + acrossPlane_;
     const bool takes =
-        carriesStress(i) && plainInverse(M, leastMoment, inverse);
+        smooths(i) && plainInverse(M, leastMoment, inverse);
     takesPart_[i] = takes ? grains.V[i] : 0;
     for (std::size_t c = 0; c < 3 * parts; c += 3)
     {

@@ -55,6 +55,7 @@ public:
         return {};
     }
 
+    bool yields(const grainPoint&) const override { return true; }
     double storedEnergy(const grainPoint&) const override { return 0; }
 };
 

@@ -48,6 +48,8 @@ public:
         return {};
     }
 
+    bool yields(const grainPoint&) const override { return true; }
+
     double storedEnergy(const grainPoint& at) const override
     {
         return at.mass * sqr(at.rho / rho0 - 1);

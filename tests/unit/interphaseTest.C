@@ -59,6 +59,7 @@ public:
     {
         return {};
     }
+    bool yields(const grainPoint&) const override { return true; }
     double storedEnergy(const grainPoint&) const override { return 0; }
 };
 

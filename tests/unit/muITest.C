@@ -156,7 +156,7 @@ public:
         step(L, dt);
     }
 
-    double stored() const
+    grainPoint point() const
     {
         grainPoint g = {};
         g.sigma = {
@@ -164,8 +164,12 @@ public:
         g.rho = rho;
         g.rhoRef = rhoRef;
         g.mass = mass_;
-        return rheology_->storedEnergy(g);
+        return g;
     }
+
+    double stored() const { return rheology_->storedEnergy(point()); }
+
+    bool yields() const { return rheology_->yields(point()); }
 
     double p() const { return -tr(sigma()) / 3; }
     symmTensor deviator() const { return dev(sigma()); }
@@ -195,11 +199,13 @@ TEST_CASE("muI: friction tan 21 when quasi-static, tan 33 when rapid")
         slow.shear(rateOf(1e-8, p, slow.m), 400, 1e-5);
         CHECK(slow.p() == Approx(p).epsilon(1e-9));
         CHECK(slow.rootJ2() / p == Approx(0.38386).epsilon(2e-5));
+        CHECK(slow.yields());
 
         testGrain rapid(testGrain::angles(21, 33, 0.28));
         rapid.press(p);
         rapid.shear(rateOf(1e7, p, rapid.m), 400, 1e-4);
         CHECK(rapid.rootJ2() / p == Approx(0.64941).epsilon(2e-5));
+        CHECK(rapid.yields());
     }
 }
 
@@ -269,6 +275,7 @@ TEST_CASE("muI: elastic below yield, as Hooke's law says")
     CHECK(g.sigma().xz() == Approx(g.m.G() * strain).epsilon(1e-6));
     CHECK(g.lost.plastic == 0);
     CHECK(g.lost.separation == 0);
+    CHECK(!g.yields());
     // compression by the bulk modulus
     g.step(-tensor::I / 3, strain);
     CHECK(g.p() == Approx(p + g.m.K() * strain).epsilon(1e-6));

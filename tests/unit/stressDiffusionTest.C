@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Diffusion of stress (T 3.42): a linear stress stays, at edges too; a
 // checkerboard goes at the rate of a direct sum; the sum over the volume stays;
-// energy is booked; separated grains take no part.
+// energy is booked; grains that are separated or stand take no part.
 
 #include <catch2/catch.hpp>
 
@@ -36,6 +36,13 @@ public:
     rheologyLosses correct(const grainArrays&, double) const override
     {
         return {};
+    }
+
+    bool allFlow = true; //!< else those whose xy is above zero
+
+    bool yields(const grainPoint& at) const override
+    {
+        return allFlow || at.sigma.xy > 0;
     }
 
     double storedEnergy(const grainPoint& at) const override
@@ -291,4 +298,33 @@ TEST_CASE("stress diffusion: separated grains take no part")
         REQUIRE((mag(b.stressOf(i)) > 0) == carries(i));
     }
     CHECK(b.body->passes() == 4);
+}
+
+
+TEST_CASE("stress diffusion: what stands takes no part")
+{
+    stressBox b(true, 0.2);
+    b.stress.allFlow = false;
+    const auto flows = [&](int i) { return b.grains().x[2][i] < 0.5 * period; };
+    randomNumbers random(9);
+    b.setStress(
+        [&](int i)
+        {
+            const double xy = flows(i) ? 100 : -100;
+            return symmTensor(-random(1e3, 2e3), xy, 0, -1e3, 0, -1e3);
+        }
+    );
+    std::vector<symmTensor> before;
+    before.reserve(std::size_t(b.grains().size()));
+    for (int i = 0; i < b.grains().size(); ++i)
+    {
+        before.push_back(b.stressOf(i));
+    }
+    b.body->rates(dt, 0);
+    for (int i = 0; i < b.grains().size(); ++i)
+    {
+        const bool changed =
+            mag(b.stressOf(i) - before[std::size_t(i)]) > 0;
+        REQUIRE(changed == flows(i));
+    }
 }
