@@ -700,17 +700,17 @@ void caseRun::readGrainScheme(const dictionary& dict)
     d.upper = 0.2;
     d.reason = "it smooths the stress of neighbours beyond a linear one; above "
                "0.2 a step of a large CFL overshoots; write 0 to 0.1";
-    scheme_.stressDiffusion =
-        readNumber(dict, "stressDiffusion", dimless, d, standard.stressDiffusion);
+    scheme_.stressDiffusion = readNumber(
+        dict, "stressDiffusion", dimless, d, standard.stressDiffusion
+    );
     bounds k;
     k.lower = 0;
     k.upper = 1;
     k.reason = "it draws the density to what the packing of the particles "
                "says where they shear; above 1 it makes noise; write 0 or 1";
-    scheme_.densityRelaxation =
-        readNumber(
-            dict, "densityRelaxation", dimless, k, standard.densityRelaxation
-        );
+    scheme_.densityRelaxation = readNumber(
+        dict, "densityRelaxation", dimless, k, standard.densityRelaxation
+    );
     k.reason = "it moves particles apart where they are crowded and shear; "
                "above 1 a step takes them too far; write 0 or 1";
     scheme_.shifting =

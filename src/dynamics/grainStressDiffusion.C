@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooths what a linear stress leaves of the differences of neighbours that
-// flow. A stress that is linear in x stays as it is, on any slope and at any edge.
+// flow. A stress that is linear in x stays as it is, on any slope and at any
+// edge.
 #include "grainDynamics.H"
 
 #include "fieldTensors.H"
@@ -45,8 +46,9 @@ void grainDynamics::gatherGradient()
     engine_.stressGradient(p);
 }
 
-// Grains that are separated carry none: what they took would be made of nothing.
-// What stands is in balance by a stress that is not smooth, and would creep
+// Grains that are separated carry none: what they took would be made of
+// nothing. What stands is in balance by a stress that is not smooth, and would
+// creep
 bool grainDynamics::smooths(int i) const
 {
     return mag(pressureAt(i)) > 0 && rheology_.yields(pointAt(i));
@@ -57,8 +59,7 @@ void grainDynamics::takeGradient(int i)
 {
     Symm inverse;
     const Symm M = symmAt(jumps_, i) + acrossPlane_;
-    const bool takes =
-        smooths(i) && plainInverse(M, leastMoment, inverse);
+    const bool takes = smooths(i) && plainInverse(M, leastMoment, inverse);
     takesPart_[i] = takes ? grains.V[i] : 0;
     for (std::size_t c = 0; c < 3 * parts; c += 3)
     {

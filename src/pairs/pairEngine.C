@@ -32,15 +32,16 @@ enum grainField
 };
 
 //- Outside the support F = 0, and in the record of nobody V = 0: both remove
-//  what is there, as it is finite
-template<bool withFill, class Around>
+//  what is there, as it is finite. One body with the filling and without: R and
+//  M have the same bits then, which compilers do not promise of two
+template<class Around>
 LPF_ONE_BODY void
 kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
 {
     using T = typename Around::T;
     const Vec<T> v_i = around.ownVector(i, velocity);
     Kinematics<T> total = {};
-    [[maybe_unused]] Filling<T> filling = {};
+    Filling<T> filling = {};
 
     around.each(
         i,
@@ -48,12 +49,7 @@ kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
         {
             const T VF = of[volume] * around.W.gradByDistance(rSqr);
             addKinematics(total, VF, x_ij, v_i - vectorOf(of + velocity));
-            if constexpr (withFill)
-            {
-                addFilling(
-                    filling, T(of[filled] * around.W.value(rSqr)), VF, x_ij
-                );
-            }
+            addFilling(filling, T(of[filled] * around.W.value(rSqr)), VF, x_ij);
         }
     );
 
@@ -62,7 +58,7 @@ kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
         p.R, i, R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z
     );
     store(total.M, p.M, i);
-    if constexpr (withFill)
+    if (p.fill)
     {
         const Vec<T>& g = filling.gradient;
         const auto all = sums(filling.fill, g.x, g.y, g.z);
@@ -74,7 +70,6 @@ kinematicsOfParticle(const kinematicsPass& p, Around& around, int i)
     }
 }
 
-template<bool withFill>
 void kinematics(const kinematicsPass& p)
 {
     const recordFields<8> fields = {{p.x, p.y, p.z, p.V, p.u, p.v, p.w, p.m}};
@@ -82,14 +77,8 @@ void kinematics(const kinematicsPass& p)
         p,
         searchOf(p),
         fields,
-        [&](auto& around, int i)
-        { kinematicsOfParticle<withFill>(p, around, i); }
+        [&](auto& around, int i) { kinematicsOfParticle(p, around, i); }
     );
-}
-
-void anyKinematics(const kinematicsPass& p)
-{
-    p.fill ? kinematics<true>(p) : kinematics<false>(p);
 }
 
 //- What acts between particles besides the stress
@@ -484,7 +473,7 @@ double peak()
 const pairEngine engine = {
     LPF_ISA,         nLanes,       lanesOf<float>, newTable,
     deleteTable,     borrowMemory, searchPairs,    sizeOfTable,
-    anyKinematics,   anyForce,     anyWall,        waterContinuity,
+    kinematics,      anyForce,     anyWall,        waterContinuity,
     waterForce,      viscousForce, shearMoments,   stickToGround,
     penaltyOfGround, smoothed,     stressGradient, stressDiffusion,
     numberListed,    peak};

@@ -18,13 +18,13 @@ namespace lpf
 namespace
 {
 
-// Time step over h/c
-constexpr scalar courant = 0.3;
+// Time step over h/c, as CFL is by default
+constexpr scalar courant = 0.45;
 
 // Memory of a particle [byte]: arrays, records of the largest pass, a bit for
 // each of some 480 candidates for a neighbour
 // (tests/cases/benchmark/estimate compares with what the solver took)
-constexpr scalar bytesPerGrain = 300 + 128 + 64;
+constexpr scalar bytesPerGrain = 600 + 224 + 64;
 constexpr scalar bytesPerWater = 180 + 96 + 64;
 
 // More where both are there: porosity, drag, the neighbours of the other kind;
@@ -41,7 +41,7 @@ constexpr scalar spread = 0.1;
 // Time of a whole step over that of finding the pairs and the kinematics pass
 // in a bed: far from the ground, as much again near it, and more for both
 // phases (tests/cases/benchmark/estimate measures it)
-constexpr scalar stepInBed = 3, mixtureOverAlone = 1.65;
+constexpr scalar stepInBed = 4.5, mixtureOverAlone = 1.65;
 
 //- Grains on a lattice, in the order of their cells
 struct probe

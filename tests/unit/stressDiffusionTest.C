@@ -323,8 +323,7 @@ TEST_CASE("stress diffusion: what stands takes no part")
     b.body->rates(dt, 0);
     for (int i = 0; i < b.grains().size(); ++i)
     {
-        const bool changed =
-            mag(b.stressOf(i) - before[std::size_t(i)]) > 0;
+        const bool changed = mag(b.stressOf(i) - before[std::size_t(i)]) > 0;
         REQUIRE(changed == flows(i));
     }
 }
