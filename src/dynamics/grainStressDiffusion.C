@@ -32,8 +32,12 @@ void grainDynamics::gatherGradient()
     lpf::resize(gradSigma_, n);
     lpf::resize(jumps_, n);
     takesPart_.resize(n);
+    lpfPairs::forEach(
+        n, [&](int i) { takesPart_[i] = smooths(i) ? grains.V[i] : 0; }
+    );
 
     auto p = overPairs<lpfPairs::stressGradientPass>();
+    p.takesPart = takesPart_.data();
     for (std::size_t c = 0; c < parts; ++c)
     {
         p.sigma[c] = grains.sigma[c].data();
@@ -58,14 +62,21 @@ bool grainDynamics::smooths(int i) const
 void grainDynamics::takeGradient(int i)
 {
     Symm inverse;
-    const Symm M = symmAt(jumps_, i) + acrossPlane_;
-    const bool takes = smooths(i) && plainInverse(M, leastMoment, inverse);
-    takesPart_[i] = takes ? grains.V[i] : 0;
+    const bool takes =
+        takesPart_[i] > 0
+        && plainInverse(symmAt(jumps_, i) + acrossPlane_, leastMoment, inverse);
+    takesPart_[i] = takes ? takesPart_[i] : 0;
     for (std::size_t c = 0; c < 3 * parts; c += 3)
     {
-        const Vec3 Q = {
-            gradSigma_[c][i], gradSigma_[c + 1][i], gradSigma_[c + 2][i]};
-        const Vec3 G = takes ? inverse & Q : Vec3{0, 0, 0}; // (T 3.40)
+        Vec3 G = {0, 0, 0}; // finite, where it has no weight
+        if (takes)
+        {
+            G = inverse
+              & Vec3{
+                  gradSigma_[c][i],
+                  gradSigma_[c + 1][i],
+                  gradSigma_[c + 2][i]}; // (T 3.40)
+        }
         gradSigma_[c][i] = G.x;
         gradSigma_[c + 1][i] = G.y;
         gradSigma_[c + 2][i] = G.z;

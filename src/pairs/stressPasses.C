@@ -98,7 +98,13 @@ void stressGradient(const stressGradientPass& p)
         p,
         searchOf(p),
         fields,
-        [&](auto& around, int i) { gradientAtParticle(p, around, i); }
+        [&](auto& around, int i)
+        {
+            if (p.takesPart[i] > 0)
+            {
+                gradientAtParticle(p, around, i);
+            }
+        }
     );
 }
 
@@ -111,7 +117,13 @@ void stressDiffusion(const stressDiffusionPass& p)
         p,
         searchOf(p),
         fields,
-        [&](auto& around, int i) { diffusionAtParticle(p, around, i); }
+        [&](auto& around, int i)
+        {
+            if (p.V[i] > 0)
+            {
+                diffusionAtParticle(p, around, i);
+            }
+        }
     );
 }
 
