@@ -173,6 +173,11 @@ def jobs():
     return max(1, (os.cpu_count() or 1) // int(os.environ.get("LPF_TEST_JOBS", 1)))
 
 
+# of system/lpfSolution: grains without what the default scheme adds
+PLAIN = ("bulkDamping 0; shearDamping 0; grains { densityRelaxation 0; shifting 0; "
+         "stressDiffusion 0; frictionAt grains; }")
+
+
 def ok(condition, text):
     print(("ok - " if condition else "not ok - ") + text, flush=True)
     return condition

@@ -23,7 +23,7 @@ import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-from lpfCase import Case, jobs, ok
+from lpfCase import PLAIN, Case, jobs, ok
 from tankShapes import walls
 
 G, DX = 9.81, 0.01
@@ -377,9 +377,7 @@ def pores():
 # are many in a tank where all particles are near walls
 COST = (("grains", 2, 1, 1080), ("water", 2, 1, 900), ("both", 11, 2, 1200),
         ("standard", 4, 1, 1600))
-# the first three without what a scheme may ask for, the last as it is by default
-PLAIN = ("bulkDamping 0; shearDamping 0; grains { densityRelaxation 0; shifting 0; "
-         "stressDiffusion 0; frictionAt grains; }")
+# the first three with the plain scheme, the last with that of the default
 
 
 def alone():
