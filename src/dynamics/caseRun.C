@@ -383,6 +383,7 @@ void caseRun::writeState(const fileName& dir, const word& time) const
     if (flow_.grains)
     {
         setExact(state, "elasticWave", flow_.rheology->elastic().c());
+        setExact(state, "undiffused", flow_.grains->undiffused);
     }
     if (flow_.water)
     {
@@ -615,13 +616,16 @@ int caseRun::finish()
     printLedger();
     warnOfUnexplained();
     printArtificialShare();
+    mostBytes_ = max(mostBytes_, flow_.bytes());
     const int evaluations = integration_->evaluations();
     const int groundPasses = evaluations * flow_.groundPasses();
+    // some are not made in each step
+    const scalar pairPasses =
+        std::round(100 * evaluations * flow_.pairPasses()) / 100;
     Info << "Memory " << scalar(mostBytes_) / 1048576 << " MiB, "
          << scalar(mostBytes_) / max(startSize_, 1) << " bytes a particle; "
-         << evaluations * flow_.pairPasses() << " pair passes and "
-         << groundPasses << " ground pass" << (groundPasses > 1 ? "es" : "")
-         << " a step" << nl;
+         << pairPasses << " pair passes and " << groundPasses << " ground pass"
+         << (groundPasses > 1 ? "es" : "") << " a step" << nl;
     printTimes();
 
     if (!massCloses_)

@@ -1517,6 +1517,11 @@ boundBox caseRun::continueFrom(const fileName& dir, const dictionary& state)
     control_.index = t.index;
     control_.deltaT = t.deltaT;
     control_.unrestricted = state.get<scalar>("unrestrictedDeltaT");
+    if (flow_.grains)
+    {
+        // times of before it was kept made up for it in each step
+        flow_.grains->undiffused = state.getOrDefault<scalar>("undiffused", 0);
+    }
     return boundBox(
         state.get<point>("domainMin"), state.get<point>("domainMax")
     );

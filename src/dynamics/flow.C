@@ -229,7 +229,7 @@ std::size_t flow::bytes() const
     return total;
 }
 
-int flow::pairPasses() const
+scalar flow::pairPasses() const
 {
     return (grains ? grains->passes() : 0) + (water ? water->pairPasses() : 0)
          + (coupling ? coupling->pairPasses() : 0);

@@ -384,6 +384,7 @@ void grainDynamics::addGroundAndGravity()
 
 void grainDynamics::rates(scalar dt, scalar time, stage where)
 {
+    ++evaluations_;
     contact_.update(time, lattice_);
     sort();
     volumes();
@@ -425,7 +426,7 @@ void grainDynamics::smoothState(scalar dt)
     }
     if (scheme_.stressDiffusion > 0)
     {
-        diffuseStress(dt);
+        diffuseStressWhenDue(dt);
     }
 }
 

@@ -22,6 +22,10 @@ namespace
 //- A moment with an eigenvalue below this says too little of a gradient
 constexpr double leastMoment = 0.2;
 
+//- d c/h times the time that is made up for at once, at least: a checkerboard
+//  loses a third of its height then
+constexpr double dueAt = 0.05;
+
 constexpr std::size_t parts = lpfPairs::stressParts;
 
 } // namespace
@@ -101,6 +105,20 @@ scalar grainDynamics::addJumps(int i, scalar weight)
         -weight * (jumps_[0][i] + jumps_[3][i] + jumps_[5][i]) / 3;
     grains.rho[i] += grains.rhoRef[i] * dp / rheology_.elastic().K();
     return before - storedEnergy(i);
+}
+
+// Once in several steps, for all of them
+void grainDynamics::diffuseStressWhenDue(scalar dt)
+{
+    undiffused += dt;
+    const scalar perTime =
+        scheme_.stressDiffusion * rheology_.elastic().c() / scene_.h;
+    if (undiffused * perTime > dueAt)
+    {
+        diffuseStress(undiffused);
+        undiffused = 0;
+        ++diffusions_;
+    }
 }
 
 void grainDynamics::diffuseStress(scalar dt)

@@ -114,7 +114,7 @@ NUMBERS = {
     "courant": r"c dt/h (\S+),",
     "perSecond": r", (\S+) s a simulated second",
     "bytes": r"MiB, (\S+) bytes a particle",
-    "passes": r"; (\d+) pair passes",
+    "passes": r"; ([\d.]+) pair passes",
     "processor": r", (\S+) particle-steps in a second of one",
     "pairs": r"Pairs of a particle within the support (\S+)",
 }
