@@ -164,17 +164,34 @@ void groundContact::update(scalar time, const cellLattice& lattice)
     }
 
     ++version_;
-    takeElements(ground_.elements(elementSpacing_));
+    takeElements(elements());
     sort(lattice);
+}
+
+// A line takes few elements: there they may be so short that a sum over them is
+// the integral (to 1e-5 of it, half a spacing from the ground)
+surfaceElements groundContact::elements() const
+{
+    constexpr scalar shorter = 0.25, little = 1e-6;
+    if (!(planeThickness_ > 0))
+    {
+        return ground_.elements(elementSpacing_);
+    }
+    // the plane may lie along an edge of the ground: cut just within
+    const scalar centre = ground_.bounds().centre() & planeNormal_;
+    const scalar inward = little * (centre - planeOffset_);
+    surfaceElements all = ground_.sections(
+        shorter * elementSpacing_, {planeNormal_, planeOffset_ + inward}
+    );
+    for (point& x : all.x)
+    {
+        x -= inward * planeNormal_;
+    }
+    return all;
 }
 
 void groundContact::takeElements(const surfaceElements& all)
 {
-    // in plane strain an element stands for a length: area over the width of
-    // the ground along the normal of the plane
-    const scalar width = planeThickness_ > 0
-                           ? (ground_.bounds().span() & cmptMag(planeNormal_))
-                           : 1;
     size_ = all.x.size();
     for (auto* f :
          {&x_[0], &x_[1], &x_[2], &n_[0], &n_[1], &n_[2], &area_, &mu_})
@@ -189,14 +206,9 @@ void groundContact::takeElements(const surfaceElements& all)
     forAll (all.x, q)
     {
         const scalar A = mag(all.nA[q]);
-        point at = all.x[q];
-        if (planeThickness_ > 0)
-        {
-            at += (planeOffset_ - (at & planeNormal_)) * planeNormal_;
-        }
-        set(x_, q, at);
+        set(x_, q, all.x[q]);
         set(n_, q, all.nA[q] / A);
-        area_[q] = A / width;
+        area_[q] = A;
         mu_[q] = effectiveFriction(all.zone[q]);
         const groundLaw& law = *zone(all.zone[q]).water;
         if (sticks)

@@ -213,6 +213,19 @@ ground::elements(const scalar spacing, const boundBox& within) const
 }
 
 
+surfaceElements
+ground::sections(const scalar spacing, const sectionPlane& plane) const
+{
+    surfaceElements all;
+    forAll (parts_, i)
+    {
+        parts_[i].sections(spacing, plane, all);
+        all.ends.append(all.x.size());
+    }
+    return all;
+}
+
+
 groundMesh ground::triangles(const label most) const
 {
     groundMesh mesh;

@@ -397,6 +397,26 @@ void heightField::elements(
 }
 
 
+void heightField::sections(
+    const scalar spacing, const sectionPlane& plane, surfaceElements& elements
+) const
+{
+    for (label j = 0; j < grid_.ny - 1; ++j)
+    {
+        for (label i = 0; i < grid_.nx - 1; ++i)
+        {
+            const cellTriangles here = this->cell(i, j);
+            for (label k = 0; k < here.count; ++k)
+            {
+                appendSections(
+                    cornersOf(here.vertices[k]), zone_, spacing, plane, elements
+                );
+            }
+        }
+    }
+}
+
+
 void heightField::surface(const label most, groundMesh& mesh) const
 {
     // every n-th vertex of both directions; the far rows may be left out

@@ -317,5 +317,50 @@ void appendElements(
     );
 }
 
+
+// A corner on the plane counts as on its upper side, so that triangles side by
+// side neither both have what they share nor both lack it
+void appendSections(
+    const corners& t,
+    const label zone,
+    const scalar spacing,
+    const sectionPlane& plane,
+    surfaceElements& elements
+)
+{
+    FixedList<scalar, 3> over;
+    for (label i = 0; i < 3; ++i)
+    {
+        over[i] = (t[i] & plane.normal) - plane.offset;
+    }
+    FixedList<point, 2> end;
+    label ends = 0;
+    for (label i = 0; i < 3; ++i)
+    {
+        const label j = (i + 1) % 3;
+        if ((over[i] >= 0) != (over[j] >= 0))
+        {
+            end[ends++] =
+                t[i] + (over[i] / (over[i] - over[j])) * (t[j] - t[i]);
+        }
+    }
+    const vector way = end[1] - end[0];
+    vector n = areaVector(t);
+    n -= (n & plane.normal) * plane.normal;
+    if (ends < 2 || !(mag(way) > 0) || !(mag(n) > 0))
+    {
+        return;
+    }
+    // an edge divided by a number has no piece more by rounding
+    const scalar pieces = max(1, std::ceil(mag(way) / spacing * (1 - 1e-9)));
+    for (label k = 0; k < label(pieces); ++k)
+    {
+        elements.x.append(end[0] + ((k + 0.5) / pieces) * way);
+        elements.nA.append((mag(way) / pieces / mag(n)) * n);
+        elements.zone.append(zone);
+        elements.along.append(way / mag(way));
+    }
+}
+
 } // namespace lpf
 } // namespace Foam

@@ -377,6 +377,17 @@ void triangles::elements(
 }
 
 
+void triangles::sections(
+    const scalar spacing, const sectionPlane& plane, surfaceElements& elements
+) const
+{
+    forAll (triangles_, i)
+    {
+        appendSections(triangles_[i], zone_[i], spacing, plane, elements);
+    }
+}
+
+
 void triangles::surface(label, groundMesh& mesh) const
 {
     forAll (triangles_, i)

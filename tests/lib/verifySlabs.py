@@ -269,34 +269,41 @@ class Liquid(Cap):
 class Mangeney(Verification):
     reference = (
         "Mangeney 2000: h/h0 = (2 - (x/t - m0 t/2)/c0)^2/9, c0^2 = k g cos th h0, "
-        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = 3 sqrt(h0/g), k %s")
+        "m0 = g cos th (tan th - mu), 25 degrees, mu %g, t = %g sqrt(h0/g), k %s")
     bounds = {"depth": 0.05}
     axes = ("x/h0", "h/h0")
-    mu, h0, k, grains = 0.0, 0.2, 1.0, FREE
+    phases, content = "grains", "grains { solidFraction 0.6; }"
+    mu, h0, k, duration, grains = 0.0, 0.2, 1.0, 3, FREE
+
+    def material(self, mu, c0, speed):
+        """speed: of the slab at the end"""
+        return {
+            "grains": self.grains, "maxSpeed": 2 * c0 + speed,
+            "zones": "floor { friction Coulomb; mu %g; }" % mu}
 
     def measure(self, layers, mu=None):
         h0, th = self.h0, math.radians(25)
-        t, c0 = 3 * math.sqrt(h0 / G), math.sqrt(self.k * G * math.cos(th) * h0)
+        t = self.duration * math.sqrt(h0 / G)
+        c0 = math.sqrt(self.k * G * math.cos(th) * h0)
         m0 = G * (math.sin(th) - self.mu * math.cos(th))
+        moved = 0.5 * m0 * t * t
         scene = Scene(
-            dx=h0 / layers, degrees=25, grains=self.grains, maxSpeed=2 * c0 + m0 * t,
-            end=t, log=200,
-            zones="floor { friction Coulomb; mu %g; }" % (
-                self.mu if mu is None else mu))
+            dx=h0 / layers, phases=self.phases, degrees=25, end=t, log=200,
+            **self.material(self.mu if mu is None else mu, c0, m0 * t))
         # the rear moves with the slab: its own collapse stays behind
-        scene.ground = scene.floor(-9 * h0, 18 * h0)
-        scene.release = scene.box(
-            "dam", -6.2 * h0, 0, 0, h0, "grains { solidFraction 0.6; }")
+        rear = -2.07 * self.duration * h0
+        scene.ground = scene.floor(
+            rear - 3 * h0, 2 * c0 * t + 0.5 * G * t * t + 4 * h0)
+        scene.release = scene.box("dam", rear, 0, 0, h0, self.content)
         case = scene.run("%s%d" % (self.name, layers))
-        xs = bins(
-            -0.8 * c0 * t + 0.5 * m0 * t * t, c0 * t + 0.5 * m0 * t * t, 36)
+        xs = bins(-0.8 * c0 * t + moved, c0 * t + moved, 36)
         return depths(
             case, scene, xs, h0, h0, lambda x: ritter(x, t, c0, m0))
 
 
 class Smooth(Mangeney):
     name = "mangeney.smooth"
-    reference = Mangeney.reference % (0, 1)
+    reference = Mangeney.reference % (0, 3, 1)
     negatives = {"basal friction of 0.3": ({"mu": 0.3}, "depth", 20)}
 
 
@@ -304,7 +311,7 @@ class Rough(Mangeney):
     name = "mangeney.coulomb"
     # it does not come nearer with more
     mu, layers = 0.2, (5, 10, 20)
-    reference = Mangeney.reference % (0.2, 1)
+    reference = Mangeney.reference % (0.2, 3, 1)
     findings = {"depth": SLIDES_OVER_BASE}
 
 
@@ -312,7 +319,7 @@ class RoughPlug(Mangeney):
     name = "mangeney.plug"
     mu, k, grains = 0.3, active(35, math.degrees(math.atan(0.3))), Plug.grains
     reference = Mangeney.reference % (
-        0.3, "%.3f, active, internal friction of 35 degrees" % k)
+        0.3, 3, "%.3f, active, internal friction of 35 degrees" % k)
     findings = {"depth": (
         "the rarefaction is late by up to 0.10 h0 at 40 layers, no less than at 20 "
         "(0.06 h0 in Ritter): the reference has no acceleration across the layer, "
@@ -323,6 +330,30 @@ class RoughPlug(Mangeney):
     negatives = {"no basal friction": ({"mu": 0}, "depth", 20)}
 
 
+class RoughLiquid(Mangeney):
+    """No friction inside, and a viscosity that hands that of the base on, in a dam
+    that has become long: before, a viscosity that keeps the speed even over the
+    depth resists the lengthening, too. Sound by the speeds in the frame that moves
+    with the slab, which is what presses on it"""
+
+    name = "mangeney.liquid"
+    phases, content = "water", "water {}"
+    mu, duration, differs = 0.1, 12, 0.1
+    reference = Mangeney.reference % (
+        0.1, 12, "1, a liquid whose speed differs by 10 % of that of the slab over "
+        "the depth")
+    negatives = {"no basal friction": ({"mu": 0}, "depth", 20)}
+
+    def material(self, mu, c0, speed):
+        base = self.mu * RHO_F * G * math.cos(math.radians(25)) * self.h0
+        return {
+            "maxSpeed": 2 * c0 + speed,
+            "mu": base * self.h0 / (2 * self.differs * speed),
+            "water": "TaitCoeffs { soundSpeed %.17g; }" % (20 * c0),
+            "zones": "floor { friction none; waterFriction Voellmy; "
+                     "waterFrictionCoeffs { mu %.17g; xi 1e9; } }" % mu}
+
+
 CASES = (
     Coulomb, PorePressure, Saturated, Seepage, Cap, Plug, Liquid, Smooth, Rough,
-    RoughPlug)
+    RoughPlug, RoughLiquid)

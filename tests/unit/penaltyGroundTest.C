@@ -144,18 +144,19 @@ public:
     vector perOmega(const vector& x, const vector& v) const
     {
         const lpfPairs::wendlandC2 W(h, plane_ ? 2 : 3);
-        const surfaceElements all = bed_->elements(dx);
+        const surfaceElements all =
+            plane_ ? bed_->sections(0.25 * dx, {vector(0, 1, 0), 0})
+                   : bed_->elements(dx);
         vector f(Zero);
         forAll (all.x, q)
         {
             const double A = mag(all.nA[q]);
             const vector n = all.nA[q] / A;
-            vector r = x - all.x[q];
-            r.y() = plane_ ? 0 : r.y();
+            const vector r = x - all.x[q];
             if ((v & n) < 0 && (r & n) > -0.1 * dx)
             {
-                f -= 2 * h * W.value(magSqr(r)) * (plane_ ? A / width : A)
-                   / max(0.1 * dx, mag(r)) * (v & n) * n;
+                f -= 2 * h * W.value(magSqr(r)) * A / max(0.1 * dx, mag(r))
+                   * (v & n) * n;
             }
         }
         return f;

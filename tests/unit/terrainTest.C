@@ -493,6 +493,64 @@ TEST_CASE("sheets that join screen nothing off", "[terrain]")
     }
 }
 
+TEST_CASE("a section of the ground is a line in pieces", "[terrain]")
+{
+    // a channel: a floor with a step down to the right, a wall across; corners
+    // on the plane of the section, and a side wall along it
+    DynamicList<corners> list;
+    addQuad(
+        list, point(0, -1, 1), point(2, -1, 1), point(2, 0, 1), point(0, 0, 1)
+    );
+    addQuad(
+        list, point(0, 0, 1), point(2, 0, 1), point(2, 1, 1), point(0, 1, 1)
+    );
+    addQuad(
+        list, point(2, -1, 1), point(5, -1, 0), point(5, 1, 0), point(2, 1, 1)
+    );
+    addQuad(
+        list, point(5, 1, 0), point(5, -1, 0), point(5, -1, 2), point(5, 1, 2)
+    );
+    addQuad(
+        list, point(0, -1, 0), point(0, -1, 2), point(5, -1, 2), point(5, -1, 0)
+    );
+    const ground channel = groundOf(list);
+    const vector slope = vector(1, 0, 3) / std::sqrt(10.);
+    constexpr scalar spacing = 0.3;
+    for (const scalar y : {-0.5, 0., 0.7})
+    {
+        const surfaceElements e =
+            channel.sections(spacing, {vector(0, 1, 0), y});
+        scalar level = 0, down = 0, across = 0;
+        forAll (e.x, q)
+        {
+            const scalar length = mag(e.nA[q]);
+            const vector n = e.nA[q] / length;
+            const point& x = e.x[q];
+            CHECK(length <= spacing * (1 + 1e-9));
+            CHECK(mag(x.y() - y) < 1e-12);
+            CHECK(mag(n & e.along[q]) < 1e-12);
+            const bool onLevel = mag(n - vector(0, 0, 1)) < 1e-12;
+            const bool onSlope = mag(n - slope) < 1e-12;
+            const bool onWall = mag(n - vector(-1, 0, 0)) < 1e-12;
+            CHECK(onLevel + onSlope + onWall == 1);
+            CHECK((!onLevel || mag(x.z() - 1) < 1e-12));
+            CHECK((!onSlope || mag(x.x() + 3 * x.z() - 5) < 1e-12));
+            CHECK((!onWall || mag(x.x() - 5) < 1e-12));
+            (onLevel ? level : onSlope ? down : across) += length;
+        }
+        CHECK(level == Approx(2).epsilon(1e-12));
+        CHECK(down == Approx(std::sqrt(10.)).epsilon(1e-12));
+        CHECK(across == Approx(2).epsilon(1e-12));
+    }
+
+    const heightGrid grid{9, 9, 0, 0, 1, 1};
+    const ground field = heightsOf(
+        grid, [](const scalar x, const scalar y) { return 0.3 * x - 0.2 * y; }
+    );
+    const surfaceElements e = field.sections(spacing, {vector(0, 1, 0), 3});
+    CHECK(totalArea(e) == Approx(8 * std::sqrt(1.09)).epsilon(1e-12));
+}
+
 TEST_CASE("boxes side by side share the elements", "[terrain]")
 {
     const heightGrid grid{9, 9, 0, 0, 1, 1};
