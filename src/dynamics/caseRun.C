@@ -108,23 +108,7 @@ void caseRun::takeStep()
     const scalar dt = control_.step(limit_.deltaT);
     if (report || control_.writesAfterStep())
     {
-        now_ = flow_.energy();
-        if (report)
-        {
-            // at fixed steps, whatever a signal adds: part of the state
-            scalar& peak = flow_.phases().front()->ledger.peakKinetic;
-            peak = max(peak, now_.kinetic);
-        }
-        booked_ = flow_.ledger();
-        bookedAt_ = control_.time;
-    }
-    if (report)
-    {
-        control_.readIfModified();
-        checkStop();
-        checkSpeed();
-        logStep();
-        bookBalance();
+        book(report);
     }
 
     integration_->finish(flow_, dtBefore, dt, control_.time);
@@ -137,6 +121,28 @@ void caseRun::takeStep()
     else if (control_.writeNow() || atRest_)
     {
         write();
+    }
+}
+
+void caseRun::book(bool report)
+{
+    const passTimes::timed pass(times_, "ledger, log");
+    now_ = flow_.energy();
+    if (report)
+    {
+        // at fixed steps, whatever a signal adds: part of the state
+        scalar& peak = flow_.phases().front()->ledger.peakKinetic;
+        peak = max(peak, now_.kinetic);
+    }
+    booked_ = flow_.ledger();
+    bookedAt_ = control_.time;
+    if (report)
+    {
+        control_.readIfModified();
+        checkStop();
+        checkSpeed();
+        logStep();
+        bookBalance();
     }
 }
 
@@ -319,6 +325,7 @@ void caseRun::bookLeavers()
 
 void caseRun::write()
 {
+    const passTimes::timed pass(outputTimes_, "output");
     const word name = control_.timeName(control_.time);
     timeFolder folder(caseDir_, name);
 
@@ -539,24 +546,26 @@ void caseRun::printArtificialShare() const
     }
 }
 
-// Where the time of this run went; what no pass names is the limits of the time
-// step, the ledger and the output
+// Where the time of the steps of this run went; what no pass names is the
+// limits of the time step. Writing times is no part of a step
 void caseRun::printTimes() const
 {
     const scalar simulated = control_.time - control_.startTime();
-    const scalar wall = max(wallOfSteps_, VSMALL);
+    const passTimes::entry output = outputTimes_.sum();
+    const scalar wall = max(wallOfSteps_ - output.seconds, VSMALL);
+    const scalar processor = processorOfSteps_ - output.processor;
     Info << "Wall time of " << steps_ << " steps " << wall << " s, "
          << particleSteps_ / wall << " particle-steps/s; c dt/h "
          << flow_.waveSpeed() * simulated / (steps_ * scene_.h) << ", "
-         << wall / max(simulated, VSMALL) << " s a simulated second" << nl
-         << "Time of the processors " << processorOfSteps_ << " s, "
-         << particleSteps_ / max(processorOfSteps_, VSMALL)
+         << wall / max(simulated, VSMALL) << " s a simulated second; "
+         << "of the times written " << output.seconds << " s" << nl
+         << "Time of the processors " << processor << " s, "
+         << particleSteps_ / max(processor, VSMALL)
          << " particle-steps in a second of one" << nl
          << "Pairs of a particle within the support " << flow_.pairsOfParticle()
          << nl << nl << "    share %  ns a particle-step"
          << "  of processors  calls  pass" << nl;
-    passTimes::entry rest = {
-        "", wallOfSteps_, processorOfSteps_, static_cast<long>(steps_)};
+    passTimes::entry rest = {"", wall, processor, static_cast<long>(steps_)};
     const auto line = [&](const passTimes::entry& e, const std::string& name)
     {
         char text[120];
@@ -572,16 +581,21 @@ void caseRun::printTimes() const
         );
         Info << text << nl;
     };
+    const auto lines = [&](const passTimes& times, const std::string& of)
+    {
+        rest.seconds -= times.sum().seconds;
+        rest.processor -= times.sum().processor;
+        for (const passTimes::entry& e : times.all())
+        {
+            line(e, of + e.name);
+        }
+    };
     for (const auto& phase : flow_.times())
     {
-        rest.seconds -= phase.second.sum().seconds;
-        rest.processor -= phase.second.sum().processor;
-        for (const passTimes::entry& e : phase.second.all())
-        {
-            line(e, phase.first + ": " + e.name);
-        }
+        lines(phase.second, phase.first + ": ");
     }
-    line(rest, "limits, ledger, output");
+    lines(times_, "");
+    line(rest, "limits");
 }
 
 int caseRun::finish()

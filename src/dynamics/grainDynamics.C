@@ -385,7 +385,7 @@ void grainDynamics::addGroundAndGravity()
 void grainDynamics::rates(scalar dt, scalar time, stage where)
 {
     ++evaluations_;
-    contact_.update(time, lattice_);
+    updateGround(time);
     sort();
     volumes();
 

@@ -28,6 +28,13 @@ phaseDynamics::phaseDynamics(
     }
 }
 
+// At the start and when a gate opens
+void phaseDynamics::updateGround(scalar time)
+{
+    const passTimes::timed pass(times, "elements of the ground");
+    contact_.update(time, lattice_);
+}
+
 void phaseDynamics::sort()
 {
     {

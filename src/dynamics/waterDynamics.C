@@ -105,7 +105,7 @@ void waterDynamics::densityFromPressure(const scalarField& saturation)
 
 void waterDynamics::arrange(scalar time)
 {
-    contact_.update(time, lattice_);
+    updateGround(time);
     sort();
     seeGround(true);
     renew(near_, walls_.size());

@@ -140,6 +140,15 @@ def solve(case, threads):
     found["table"] = re.findall(
         r"^ +([\d.]+) +([\d.]+) +([\d.]+) +(\d+)  (\S.*)$",
         log[log.find("share %"):], re.M)
+    # made once a run, which is short here
+    set_up = [row for row in found["table"]
+              if row[4].endswith("elements of the ground")]
+    found["table"] = [row for row in found["table"] if row not in set_up]
+    once = sum(float(share) for share, *_ in set_up)
+    for key in "rate", "processor":
+        found[key] /= 1 - 0.01 * once
+    for key in "wall", "perSecond":
+        found[key] *= 1 - 0.01 * once
     found["engine"] = re.search(r"Pair engine (.*);", log).group(1)
     found["particles"] = sum(
         int(n) for n in re.findall(r"(\d+) particles of \w+,", log))
