@@ -138,8 +138,13 @@ void grainDynamics::gradient()
                      { gradientOfGrainsAlone(i, R, M); });
         return;
     }
-    gradientWith([&](int i, const Tens& R, const Symm& M)
-                 { gradientNearGround(i, R, M); });
+    byFriction(
+        [&](auto held)
+        {
+            gradientWith([&](int i, const Tens& R, const Symm& M)
+                         { gradientNearGround<held()>(i, R, M); });
+        }
+    );
 }
 
 //- nearGround(i, R, M) for the grains that are
@@ -197,6 +202,7 @@ void grainDynamics::gradientOfGrainsAlone(int i, const Tens& R, const Symm& M)
     setGradient(i, near.Bp, R);
 }
 
+template<bool frictionAtGround>
 void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
 {
     nearWall& near = lookAtGround(i, M);
@@ -221,7 +227,7 @@ void grainDynamics::gradientNearGround(int i, const Tens& R, const Symm& M)
     const Tens mirrored = (R + full(Nv + Nv)) & full(B); // (T 4.3)
     const Tens P = tangential(near.planarity, near.n);
     const Tens own = R & full(near.Bp);
-    if (scheme_.frictionAtGround)
+    if constexpr (frictionAtGround)
     {
         const double d = std::clamp(wall.distance, 0.0, 2 * scene_.h);
         atGround_[static_cast<std::size_t>(slot_[i])] = {
@@ -259,23 +265,29 @@ struct momentSums
 void grainDynamics::stressMoment(scalar dt, stage where)
 {
     const passTimes::timed pass(times, "stress moment");
-    if (scheme_.shearDamping > 0)
-    {
-        stressMomentWith(
-            dt,
-            where,
-            [&](int i) { return bulkDampingAt(i) + symmAt(shearDamping_, i); }
-        );
-    }
-    else
-    {
-        stressMomentWith(dt, where, [&](int i) { return bulkDampingAt(i); });
-    }
+    byFriction(
+        [&](auto held)
+        {
+            if (scheme_.shearDamping > 0)
+            {
+                stressMomentWith<held()>(
+                    dt,
+                    where,
+                    [&](int i)
+                    { return bulkDampingAt(i) + symmAt(shearDamping_, i); }
+                );
+                return;
+            }
+            stressMomentWith<held()>(
+                dt, where, [&](int i) { return bulkDampingAt(i); }
+            );
+        }
+    );
     padZero(grains.L, grains.size());
 }
 
 //- damping(i): the stress that damps waves
-template<class Damping>
+template<bool frictionAtGround, class Damping>
 void grainDynamics::stressMomentWith(
     scalar dt, stage where, const Damping& damping
 )
@@ -291,11 +303,11 @@ void grainDynamics::stressMomentWith(
                 granularRheologies::inner(damped, symm(tensorAt(grains.L, i)))
                 * grains.V[i] * scene_.planeThickness;
             forceOfGround(i, full(sigma));
-            if (scheme_.frictionAtGround)
+            if constexpr (frictionAtGround)
             {
                 s.friction = holdAtGround(i, dt, where);
             }
-            stressMomentOf(i, full(sigma));
+            stressMomentOf<frictionAtGround>(i, full(sigma));
             return s;
         }
     );
@@ -323,6 +335,7 @@ void grainDynamics::forceOfGround(int i, const Tens& sigma)
     }
 }
 
+template<bool frictionAtGround>
 void grainDynamics::stressMomentOf(int i, const Tens& sigma)
 {
     const Tens sigmaB = sigma & full(symmAt(grains.B, i));
@@ -339,7 +352,11 @@ void grainDynamics::stressMomentOf(int i, const Tens& sigma)
         return;
     }
     const Tens P = tangential(near.planarity, near.n);
-    const Tens led = sigma + ledOn(i);
+    Tens led = sigma;
+    if constexpr (frictionAtGround)
+    {
+        led = led + ledOn(i);
+    }
     setTensor(
         grains.L,
         i,
@@ -357,6 +374,7 @@ void grainDynamics::keepFlow()
     );
 }
 
+template<bool frictionAtGround>
 void grainDynamics::addGroundAndGravity()
 {
     lpfPairs::forChunks(
@@ -372,7 +390,11 @@ void grainDynamics::addGroundAndGravity()
                     const nearWall& near = near_[slot];
                     if (near.carried)
                     {
-                        const Vec3 f = near.f + tractionAt(slot);
+                        Vec3 f = near.f;
+                        if constexpr (frictionAtGround)
+                        {
+                            f = f + atGround_[slot].t;
+                        }
                         a += toVector(f) / grains.mass[i];
                     }
                 }
@@ -615,7 +637,7 @@ void grainDynamics::forces()
                 [&](int i) { return sumOf<double>{viscousPower_[i]}; }
             ).value;
     }
-    addGroundAndGravity();
+    byFriction([&](auto held) { addGroundAndGravity<held()>(); });
 }
 
 namespace
@@ -657,27 +679,35 @@ void grainDynamics::resistOfGround()
 void grainDynamics::kick(scalar dt)
 {
     const passTimes::timed pass(times, "kick");
-    if (resistance_)
-    {
-        kickWith(
-            dt,
-            [&](int i, const vector& U, const vector& n, scalar dry, scalar dv)
-            { return resistance_->after(slot_[i], U, n, dry, dv, dt); }
-        );
-        return;
-    }
-    kickWith(
-        dt,
-        [](int, const vector& U, const vector& n, scalar dry, scalar)
-        { return afterFriction(U, n, dry); }
+    byFriction(
+        [&](auto held)
+        {
+            if (resistance_)
+            {
+                kickWith<held()>(
+                    dt,
+                    [&](int i,
+                        const vector& U,
+                        const vector& n,
+                        scalar dry,
+                        scalar dv)
+                    { return resistance_->after(slot_[i], U, n, dry, dv, dt); }
+                );
+                return;
+            }
+            kickWith<held()>(
+                dt,
+                [](int, const vector& U, const vector& n, scalar dry, scalar)
+                { return afterFriction(U, n, dry); }
+            );
+        }
     );
 }
 
 //- friction(i, U, n, mu N dt/m, N dt/m): the velocity that it leaves
-template<class Friction>
+template<bool frictionAtGround, class Friction>
 void grainDynamics::kickWith(scalar dt, const Friction& friction)
 {
-    const bool held = scheme_.frictionAtGround;
     const kickSums sums = orderedSum<kickSums>(
         grains.size(),
         [&](int i)
@@ -697,7 +727,7 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 if (near.carried)
                 {
                     const scalar N = mag(f);
-                    const scalar mu = held ? 0 : near.friction;
+                    const scalar mu = frictionAtGround ? 0 : near.friction;
                     U = friction(
                         i, sliding, f / N, mu * N * dt / m, N * dt / m
                     );
@@ -714,8 +744,11 @@ void grainDynamics::kickWith(scalar dt, const Friction& friction)
                 s.frictionEnergy = -0.5 * (s.friction & (before + U));
                 const vector tension = near.carried ? Zero : dt * f;
                 lost(i, (s.friction - tension) / m);
-                s.friction +=
-                    dt * toVector(tractionAt(slot)); // its loss is booked
+                if constexpr (frictionAtGround)
+                {
+                    s.friction +=
+                        dt * toVector(atGround_[slot].t); // its loss is booked
+                }
             }
             set(grains.U, i, U);
             return s;

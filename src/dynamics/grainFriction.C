@@ -12,18 +12,9 @@ namespace lpf
 
 using Vec3 = lpfPairs::Vec<double>;
 
-Vec3 grainDynamics::tractionAt(std::size_t slot) const
-{
-    return scheme_.frictionAtGround ? atGround_[slot].t : Vec3{0, 0, 0};
-}
-
 // The stress whose divergence leads the traction on into the grains
 lpfPairs::Tensor<double> grainDynamics::ledOn(int i) const
 {
-    if (!scheme_.frictionAtGround)
-    {
-        return {};
-    }
     const auto slot = static_cast<std::size_t>(slot_[i]);
     const atGround& here = atGround_[slot];
     const double V = grains.V[i] * scene_.planeThickness;
