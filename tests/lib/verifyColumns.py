@@ -136,9 +136,6 @@ PLANE = (
     plane(4, 1.9 * 4 ** (2 / 3), 1.9 * 4 ** (2 / 3),
           (0.65 * 4 ** 0.4, 4 ** (1 / 3))),
 )
-PLANE[1].findings = {"runout": (
-    "the mean of three starts, from 1.32 to 1.47, is 15.0 % over 1.2: the front is "
-    "where the foremost particle, half a spacing thick in plane strain, came to lie.")}
 PLANE[1].negatives = {
     "internal friction of 0.4": ({"grains": {"muS": 0.4, "mu2": 0.4}}, "runout", 20)}
 
