@@ -39,11 +39,12 @@ class Hydrostatic(Verification):
     axes = ("p/(rho g H)", "z/H")
     converges = True
     findings = {"pressure": (
-        "within 3 %, but not converging. As the particles leave their lattice its "
-        "rows do so too: at 40 layers the first moment of the kernel gradient "
-        "becomes 0.992 along gravity and 0.977 across, where lambda (T 2.4) has "
-        "the 0.974 of the lattice: the pressure is up to 1.6 % too low. At low "
-        "resolution, with fewer steps, they leave it less.")}
+        "within 3 %, but not converging. As the particles leave their lattice the "
+        "first moment of the kernel gradient becomes 0.991, where lambda (T 2.4) "
+        "has the 0.974 of the lattice: the pressure is up to 1.6 % too low. At low "
+        "resolution, with fewer steps, they leave it less. With the lambda of such "
+        "a packing 0.67, 0.58 and 0.48 % (theory 9), which all rows of water would "
+        "have to follow; five other ways do not converge.")}
     negatives = {
         "water of 950 kg/m3": ({"rho": 0.95 * RHO_F}, "pressure", 20)}
 
