@@ -377,29 +377,23 @@ void grainDynamics::keepFlow()
 template<bool frictionAtGround>
 void grainDynamics::addGroundAndGravity()
 {
-    lpfPairs::forChunks(
+    lpfPairs::forEach(
         grains.size(),
-        [&](int begin, int end, int)
+        [&](int i)
         {
-            for (int i = begin; i < end; ++i)
+            vector a = at(grains.a, i) + scene_.g;
+            const auto slot =
+                static_cast<std::size_t>(slot_[i] >= 0 ? slot_[i] : 0);
+            if (slot_[i] >= 0 && near_[slot].carried)
             {
-                vector a = at(grains.a, i) + scene_.g;
-                if (slot_[i] >= 0)
+                Vec3 f = near_[slot].f;
+                if constexpr (frictionAtGround)
                 {
-                    const auto slot = static_cast<std::size_t>(slot_[i]);
-                    const nearWall& near = near_[slot];
-                    if (near.carried)
-                    {
-                        Vec3 f = near.f;
-                        if constexpr (frictionAtGround)
-                        {
-                            f = f + atGround_[slot].t;
-                        }
-                        a += toVector(f) / grains.mass[i];
-                    }
+                    f = f + atGround_[slot].t;
                 }
-                set(grains.a, i, a);
+                a += toVector(f) / grains.mass[i];
             }
+            set(grains.a, i, a);
         }
     );
 }

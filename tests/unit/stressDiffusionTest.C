@@ -269,6 +269,7 @@ TEST_CASE("stress diffusion: short steps are made up for at once")
     stressBox one(true, 0.1), many(true, 0.1);
     randomNumbers random(12);
     std::vector<symmTensor> stress;
+    stress.reserve(std::size_t(one.grains().size()));
     for (int i = 0; i < one.grains().size(); ++i)
     {
         stress.push_back(
