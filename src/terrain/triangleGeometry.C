@@ -344,10 +344,14 @@ void appendSections(
                 t[i] + (over[i] / (over[i] - over[j])) * (t[j] - t[i]);
         }
     }
+    if (ends < 2)
+    {
+        return;
+    }
     const vector way = end[1] - end[0];
     vector n = areaVector(t);
     n -= (n & plane.normal) * plane.normal;
-    if (ends < 2 || !(mag(way) > 0) || !(mag(n) > 0))
+    if (!(mag(way) > 0) || !(mag(n) > 0))
     {
         return;
     }
